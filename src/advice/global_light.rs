@@ -18,7 +18,7 @@ pub fn foreign_saved_light_warning(world: &World, kind: LightKind) -> Option<Dia
     if loaded.file.header.scene == world.scene_digest() {
         return None;
     }
-    let text = format!("the {} of `{}` were saved for another scene, and may not fit", kind.contents(), loaded.name);
+    let text = format!("the {} of `{}` were saved for another scene, and may not fit", kind.plural_name(), loaded.name);
     let help = "save the file again if an object, a light or a texture has changed";
     Some(Diagnostic::new(codes::OTHER_LIGHT, loaded.source, text).help(help))
 }

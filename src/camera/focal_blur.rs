@@ -22,10 +22,10 @@ pub struct FocalBlur {
     pub distance: Option<f64>,
     /// Minimum and maximum number of rays a pixel for focal blur.
     pub samples: [u32; 2],
-    /// Probability, from 0 to 1, with which the variance of a pixel must be below `variance`.
+    /// Confidence, from 0 to 1, that a pixel's variance is below `variance` when no more rays are cast.
     pub confidence: f64,
-    /// For focal blur, variance of the mean of a pixel's rays at which no more rays are cast, in proportion to their
-    /// share of the maximum; 0 to cast all.
+    /// Acceptable variance of the mean of a pixel's rays after the maximum number of rays; after fewer rays, a
+    /// proportionally smaller variance is required. 0 to cast all rays.
     pub variance: f64,
 }
 
@@ -64,7 +64,7 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     )
     .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
     word("blur_samples", Float, "0", "how many rays a pixel, or two numbers: at least and at most; 0 blurs nothing")
-        .sets(|s, r| s.blur.read_samples(r)),
+        .sets(|s, r| s.blur.read_sample_range(r)),
     word("confidence", Float, "0.9", "how sure it has to be that a pixel is as exact as `variance` says, from 0 to 1")
         .sets(|s, r| set(&mut s.blur.confidence, r.float().map(|c| c.clamp(0.0, 0.999_999)))),
     word(
@@ -80,7 +80,7 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
 const MOST: f64 = 1e6;
 
 impl FocalBlur {
-    fn read_samples(&mut self, r: &mut dyn Reader) -> Result<()> {
+    fn read_sample_range(&mut self, r: &mut dyn Reader) -> Result<()> {
         let at = r.span();
         let first = r.float()?;
         let second = r.optional_float()?;
@@ -129,7 +129,7 @@ pub struct Lens {
     pub variance: f64,
     /// Quantile of the normal distribution for 1 minus the confidence that focal blur requires.
     pub quantile: f64,
-    /// Transmittance of the lens over a square of twice its radius; `None` for a disc.
+    /// Transmittance of a square lens, whose sides are twice the radius; `None` for a disc.
     #[serde(skip)]
     pub bokeh: Option<Arc<Bokeh>>,
 }

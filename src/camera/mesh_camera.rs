@@ -69,7 +69,7 @@ pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<PlacedMesh>
 impl PovrayCamera {
     /// Reads the items of a `mesh_camera` block.
     pub(super) fn read_mesh_camera(&mut self, r: &mut dyn Reader, read_mesh: ReadMesh) -> Result<()> {
-        let mut camera = MeshCamera::read_numbers(r)?;
+        let mut camera = MeshCamera::read_rays_and_distribution(r)?;
         loop {
             match r.next()? {
                 Next::End => break,
@@ -97,7 +97,7 @@ impl PovrayCamera {
 }
 
 impl MeshCamera {
-    fn read_numbers(r: &mut dyn Reader) -> Result<Self> {
+    fn read_rays_and_distribution(r: &mut dyn Reader) -> Result<Self> {
         let (at, rays) = (r.span(), r.float()?);
         if !(1.0..=1e6).contains(&rays) {
             let message = format!("a `mesh_camera` begins with its rays per pixel, 1 or more, found {rays}");

@@ -96,7 +96,7 @@ impl Console {
         Self { among_several: true, ..self.clone() }
     }
 
-    /// True if the scene is one of several, whose result another line gives.
+    /// True if the command processes several scenes; a summary line then states the result of each scene.
     pub fn is_among_several(&self) -> bool {
         self.among_several
     }

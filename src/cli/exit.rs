@@ -129,7 +129,7 @@ impl From<Fault> for Failure {
 }
 
 /// Returns the error for a wrong command line, with this message, in the form of clap's own errors.
-pub fn usage<T>(message: impl std::fmt::Display) -> Result<T> {
+pub fn usage_error<T>(message: impl std::fmt::Display) -> Result<T> {
     use clap::CommandFactory;
     let error = super::Cli::command().error(clap::error::ErrorKind::ArgumentConflict, message);
     Err(Failure::Usage(Box::new(error)))

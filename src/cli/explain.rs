@@ -2,7 +2,7 @@
 
 use super::args::ExplainArgs;
 use super::console::Console;
-use super::exit::{Exit, Result, usage};
+use super::exit::{Exit, Result, usage_error};
 use crate::diagnostic::codes::{self, Explanation};
 
 /// Explains one diagnostic code, or lists all codes.
@@ -15,7 +15,7 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     let found = codes_of(wanted);
     if found.is_empty() {
         let near = nearest_code(wanted).map(|e| format!("the nearest is `{}` ({}); ", e.code, e.title));
-        return usage(format!(
+        return usage_error(format!(
             "there is no code `{wanted}`; {}`durer explain` lists all codes",
             near.unwrap_or_default()
         ));

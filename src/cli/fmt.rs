@@ -2,11 +2,11 @@
 
 use super::args::FmtArgs;
 use super::console::Console;
-use super::exit::{Exit, Result, usage};
+use super::exit::{Exit, Result, usage_error};
 use super::session;
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::format::{self, Encoded};
-use crate::source::{Disk, Files, Sources, texts_below};
+use crate::source::{Disk, Files, Sources, scenes_and_includes_below};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -32,9 +32,10 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
             // Refuse the root folder: nobody means all files of the machine.
             session::check_input(path)?;
         }
-        let found = texts_below(&Disk, path).map_err(|e| Box::new(file::unreadable(&Disk, path, &e.into())))?;
+        let found =
+            scenes_and_includes_below(&Disk, path).map_err(|e| Box::new(file::unreadable(&Disk, path, &e.into())))?;
         if found.is_empty() {
-            return usage(format!("no file in `{}` ends in `.scene`, `.pov` or `.inc`", path.display()));
+            return usage_error(format!("no file in `{}` ends in `.scene`, `.pov` or `.inc`", path.display()));
         }
         all.extend(found);
     }

@@ -1,6 +1,6 @@
 //! Scenes that a command line names: files, and folders of scenes.
 
-use super::exit::{Result, usage};
+use super::exit::{Result, usage_error};
 use super::session;
 use crate::diagnostic::file;
 use crate::source::{Disk, scenes_below};
@@ -32,7 +32,7 @@ impl Inputs {
             let scenes =
                 scenes_below(&Disk, &input).map_err(|e| Box::new(file::unreadable(&Disk, &input, &e.into())))?;
             if scenes.is_empty() {
-                return usage(format!("no file in `{}` ends in `.scene` or `.pov`", input.display()));
+                return usage_error(format!("no file in `{}` ends in `.scene` or `.pov`", input.display()));
             }
             all.extend(scenes);
         }

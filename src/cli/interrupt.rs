@@ -130,7 +130,7 @@ pub struct Cleanup(());
 
 impl Cleanup {
     /// Registers a task that runs if the process ends early.
-    pub fn begin(task: impl Fn() + Send + 'static) -> Self {
+    pub fn register(task: impl Fn() + Send + 'static) -> Self {
         *lock(&CLEANUP) = Some(Box::new(task));
         Self(())
     }
@@ -148,7 +148,7 @@ pub struct StatusTask(());
 impl StatusTask {
     /// Registers a task that runs whenever the signal USR1 arrives, on a thread of its own. Without a task, the signal has
     /// no effect.
-    pub fn begin(task: impl Fn() + Send + Sync + 'static) -> Self {
+    pub fn register(task: impl Fn() + Send + Sync + 'static) -> Self {
         *lock(&STATUS_TASK) = Some(Arc::new(task));
         Self(())
     }

@@ -10,7 +10,7 @@ use std::path::Path;
 const MAX_PIXELS: u128 = 1 << 36;
 
 /// Refuses a picture with more than [`MAX_PIXELS`] (E0006).
-pub fn check_size(size: Size) -> Result<()> {
+pub fn check_pixel_count(size: Size) -> Result<()> {
     check_pixels(size, MAX_PIXELS)
 }
 
@@ -26,7 +26,7 @@ pub fn check_pixels(size: Size, most: u128) -> Result<()> {
 /// Refuses a picture, or a part of it, that needs more memory than `limit` (`--max-memory`) or than is free (E0006).
 /// Each pixel occupies `bytes_per_pixel` bytes until the file is finished.
 pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, limit: Option<u64>) -> Result<()> {
-    check_size(size)?;
+    check_pixel_count(size)?;
     let Size { width, height } = size;
     let rendered = part.unwrap_or(Region { x: 0, y: 0, width, height });
     let needed =
@@ -58,13 +58,13 @@ pub fn default_limit() -> Option<u64> {
     most.into_iter().chain(limited).min()
 }
 
-/// Returns the limit at which the process ends wherever it is. It is above the interpreter's limit, whose messages have
-/// a place. Without `--max-memory`, most of the free memory.
+/// Returns the memory in bytes above which the process ends at once, whatever it is doing: more than the interpreter's
+/// limit, whose messages have a position in the text. Without `--max-memory`, most of the free memory.
 pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
     limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| free_memory().map(|free| free / 20 * 19))
 }
 
-/// Bytes above `--max-memory` at which the process ends.
+/// Number of bytes by which the process may exceed `--max-memory` before it ends at once.
 const HARD_LIMIT_MARGIN: u64 = 32 << 20;
 
 /// Returns the address space that `ulimit -v` leaves, in bytes; `None` without such a limit.

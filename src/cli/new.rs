@@ -2,7 +2,7 @@
 
 use super::args::NewArgs;
 use super::console::Console;
-use super::exit::{Exit, Result, usage};
+use super::exit::{Exit, Result, usage_error};
 use crate::diagnostic::file;
 use crate::source::Disk;
 use std::fs::OpenOptions;
@@ -19,7 +19,7 @@ pub fn run(console: &Console, args: &NewArgs) -> Result {
     let mut new = match OpenOptions::new().write(true).create_new(true).open(&path) {
         Ok(new) => new,
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            return usage(format!("`{name}` exists and is not overwritten; choose another name"));
+            return usage_error(format!("`{name}` exists and is not overwritten; choose another name"));
         }
         Err(error) => return Err(Box::new(file::unwritable(&Disk, &path, &error)).into()),
     };
@@ -36,12 +36,12 @@ pub fn run(console: &Console, args: &NewArgs) -> Result {
 fn path(args: &NewArgs) -> Result<PathBuf> {
     let path = &args.name;
     let Some(name) = path.file_name().filter(|_| !path.to_string_lossy().ends_with(['/', '\\'])) else {
-        return usage(format!("`{}` is not a file name; type, for example, `durer new hall`", path.display()));
+        return usage_error(format!("`{}` is not a file name; type, for example, `durer new hall`", path.display()));
     };
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("scene" | "pov") => Ok(path.clone()),
         Some("inc" | "ini" | "png" | "jpg") => {
-            usage(format!("a scene's name ends in `.scene` or `.pov`, unlike `{}`", path.display()))
+            usage_error(format!("a scene's name ends in `.scene` or `.pov`, unlike `{}`", path.display()))
         }
         _ => {
             let mut name = name.to_os_string();

@@ -34,7 +34,7 @@ pub struct IniFile {
 }
 
 /// Reads the INI file `input`; `None` if `input` is not an INI file. `scene` holds the options of the command line.
-/// With `all`, the warnings include options without effect.
+/// With `includes_idle_warnings`, the warnings include options without effect.
 ///
 /// # Errors
 /// The errors and warnings of a broken INI file.
@@ -42,14 +42,14 @@ pub fn read_ini(
     sources: &Sources,
     input: &Path,
     scene: &SceneArgs,
-    all: bool,
+    includes_idle_warnings: bool,
 ) -> std::result::Result<Option<IniFile>, Vec<Diagnostic>> {
     if !povray::is_ini(&input.to_string_lossy()) {
         return Ok(None);
     }
     let povray::Translated { words, animation, mut diagnostics, idle, .. } =
         povray::translate_ini(sources, input, scene.is_untrusted());
-    diagnostics.extend(idle.into_iter().filter(|_| all));
+    diagnostics.extend(idle.into_iter().filter(|_| includes_idle_warnings));
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(diagnostics);
     }

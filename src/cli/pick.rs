@@ -171,7 +171,7 @@ impl PixelReport<'_> {
         self.sources.place(object.source).filter(|_| object.source != picked.source)
     }
 
-    fn trace(&self, origin: Option<usize>) -> &[Label] {
+    fn call_frames(&self, origin: Option<usize>) -> &[Label] {
         origin.and_then(|at| self.built?.origins.get(at)).map_or(&[], Vec::as_slice)
     }
 
@@ -187,7 +187,7 @@ impl PixelReport<'_> {
             color: self.color,
             source: place(p.source),
             placed: self.outermost_position(p, origin).map(Position::from),
-            trace: self.trace(origin).iter().map(step).collect(),
+            trace: self.call_frames(origin).iter().map(step).collect(),
         }
     }
 
@@ -203,7 +203,8 @@ impl PixelReport<'_> {
         let place = |span: Span| self.sources.place(span).map(|place| format!(" at {place}")).unwrap_or_default();
         let placed =
             self.outermost_position(p, origin).map(|place| format!("  placed at {place}\n")).unwrap_or_default();
-        let trace: String = self.trace(origin).iter().map(|l| format!("  {}{}\n", l.text, place(l.span))).collect();
+        let trace: String =
+            self.call_frames(origin).iter().map(|l| format!("  {}{}\n", l.text, place(l.span))).collect();
         let (point, normal, uv) = (
             list_with_six_digits(&p.point, p.t),
             list_with_six_digits(&p.normal, 1.0),

@@ -4,7 +4,7 @@
 use super::animation::Animation;
 use super::args::{PrepareArgs, ProgressDisplay, RenderArgs};
 use super::console::Console;
-use super::exit::{Exit, Failure, Result, usage};
+use super::exit::{Exit, Failure, Result, usage_error};
 use super::interrupt::{self, Deadline, DeferredSignals, Overrun};
 use super::memory;
 use super::overlay::Invocation;
@@ -43,7 +43,7 @@ impl LightInMemory {
     /// Returns the number of photons or of radiosity samples, in words; `None` for none.
     fn count_in_words(&self, kind: LightKind) -> Option<String> {
         let file = LightFile::parse(self.bytes(kind).clone(), kind).ok()?;
-        Some(format!("{} {}", file.records().len(), kind.contents()))
+        Some(format!("{} {}", file.records().len(), kind.plural_name()))
     }
 }
 
@@ -69,9 +69,9 @@ pub fn run(console: &Console, args: &PrepareArgs, animation: Option<Animation>) 
     let (console, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &sources)?;
     session::check_input(&input)?;
     if animation.is_some() && merged.scene.frame.is_none() {
-        return usage("a file of prepared light belongs to one picture: name the frame with `--frame`");
+        return usage_error("a file of prepared light belongs to one picture: name the frame with `--frame`");
     }
-    memory::check_size(merged.scene.size())?;
+    memory::check_pixel_count(merged.scene.size())?;
     let output = args.output.clone().unwrap_or_else(|| default_output(&input));
     check_output(&output)?;
     let timing = session::timing(&merged.scene, animation.as_ref())?;
@@ -118,7 +118,7 @@ fn prepare(
         let mut world = session::report_and_take_world(console, sources, &mut built)?;
         let threads = args.threads.map_or(0, usize::from);
         let drawing = session::drawing_options(&args.scene, &args.look, threads, timing);
-        save_all_light(&mut world, output);
+        request_all_light(&mut world, output);
         if !console.quiet {
             console.report(sources, &advice::time_warnings(&world, &drawing));
         }
@@ -130,12 +130,18 @@ fn prepare(
         monitor.prepare_light(&world, &drawing)?;
         write_file(&light, output)
     })?;
-    console.info(&format!("{}: {} ({:.1} s)\n", output.display(), contents(&light), start.elapsed().as_secs_f64()));
+    console.info(&format!(
+        "{}: {} ({:.1} s)\n",
+        output.display(),
+        prepared_counts_in_words(&light),
+        start.elapsed().as_secs_f64()
+    ));
     interrupt::requested().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
 }
 
-/// Makes a World pass on its photons and radiosity samples, in place of saving them to the files that the scene names.
-fn save_all_light(world: &mut World, output: &Path) {
+/// Makes the render of a World hand all photons and radiosity samples to the receiver of saved light, in place of
+/// writing them to the files that the scene names.
+fn request_all_light(world: &mut World, output: &Path) {
     let save = |kind| Some(SaveFile { kind, path: output.to_path_buf(), source: Span::NONE });
     if let Some(settings) = &mut world.photon_map {
         settings.saved.save = save(LightKind::Photons);
@@ -159,8 +165,8 @@ fn write_file(light: &LightInMemory, output: &Path) -> Result<()> {
     })
 }
 
-/// Returns the contents of a file of prepared light in words.
-fn contents(light: &LightInMemory) -> String {
+/// Describes for a person how many photons and radiosity samples were prepared.
+fn prepared_counts_in_words(light: &LightInMemory) -> String {
     let counts: Vec<String> =
         [LightKind::Photons, LightKind::Radiosity].into_iter().filter_map(|kind| light.count_in_words(kind)).collect();
     match &counts[..] {

@@ -6,7 +6,7 @@ use super::args::values::{Bytes, Frames, Size};
 use super::args::{AaMethod, Library, LookArgs, SceneArgs};
 use super::console::Console;
 use super::created_files::CreatedByScene;
-use super::exit::{Exit, Failure, Result, usage};
+use super::exit::{Exit, Failure, Result, usage_error};
 use super::interrupt::{Deadline, Overrun};
 use super::memory;
 use super::povray::text_output::Stream;
@@ -76,7 +76,7 @@ pub fn open_or_report(console: &Console, sources: &Sources, input: &Path) -> Res
 /// Returns the animation's constants for a single picture: frame `--frame`, or the first frame.
 pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing> {
     match (animation, args.frame) {
-        (Some(animation), Some(frame)) if !animation.has(frame) => usage(format!(
+        (Some(animation), Some(frame)) if !animation.has(frame) => usage_error(format!(
             "there is no frame {frame}: the animation goes from {} to {}",
             animation.first, animation.end
         )),
@@ -176,7 +176,7 @@ pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input
 }
 
 /// Returns a line about the files that a scene wrote to memory; `None` if there are none.
-pub fn memory_writes_line(built: &Built) -> Option<String> {
+pub fn files_in_memory_line(built: &Built) -> Option<String> {
     let [first, rest @ ..] = &built.written_in_memory[..] else { return None };
     let others = match rest.len() {
         0 => String::new(),
@@ -212,7 +212,7 @@ pub fn build(
 ) -> Built {
     let print = &mut |text: &str| console.print(Stream::Debug, text);
     let built = crate::build_with(parsed, sources, file, options, keep, print);
-    memory_writes_line(&built).iter().for_each(|note| console.info(note));
+    files_in_memory_line(&built).iter().for_each(|note| console.info(note));
     built
 }
 

@@ -134,7 +134,8 @@ impl<'a> Typesetter<'a> {
         if self.has(i, flag::PACKED) { normalize_packed_vector(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
     }
 
-    /// Returns the width of an item that begins a line and stays on it.
+    /// Returns the width in columns of the atoms from `from` to before `to` if they are on one line, without blanks
+    /// before the first atom.
     pub(super) fn flat_width(&self, from: usize, to: usize) -> usize {
         (self.sums[to] - self.sums[from]) as usize - if from < to { self.blanks_in_sum(from) } else { 0 }
     }

@@ -135,7 +135,8 @@ impl Callee {
         }
     }
 
-    /// True if the called function returns a number; every component is then that number.
+    /// True if the called function returns a single number; each of the five components of its result is then this
+    /// number.
     pub(super) fn gives_number(&self) -> bool {
         let gives = match self {
             Callee::Function(function) => function.result_type(),
@@ -167,7 +168,7 @@ impl Callee {
             },
             Callee::SceneNoise(generator) => {
                 let generator = load_generator(generator);
-                (generator.max_gradient(), Some(generator.max_gradient_change()))
+                (generator.max_gradient(), Some(generator.max_gradient_change_per_unit()))
             }
             Callee::Internal(internal) => match internal.steepest {
                 Some(steepest) => (steepest(rest), internal.bend.map(|bend| bend(rest))),

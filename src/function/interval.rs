@@ -40,7 +40,7 @@ impl Interval {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// The intersection of two intervals; `self` if it is empty.
+    /// The intersection of two intervals; `self` if the intersection is empty.
     pub fn intersection_or_self(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         if lo <= hi { Self { lo, hi } } else { self }

@@ -289,7 +289,7 @@ fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
         let near = callee.bounds_near(&middle, radius);
-        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), max_step_factor([a, b, c]));
+        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), max_lengthening_factor([a, b, c]));
         return each(&|component| {
             let LocalBounds { range, gradient, steepest, rough: uneven } = near[component];
             let value = range.intersection_or_self(bounds(component));
@@ -314,8 +314,9 @@ fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     })
 }
 
-/// Upper bound of the factor by which three coordinates lengthen a step of the function's parameters.
-fn max_step_factor(numbers: [&Slope; 3]) -> f64 {
+/// Returns an upper bound of the length of a change of three coordinates, relative to the length of the change of the
+/// function's parameters that causes it.
+fn max_lengthening_factor(numbers: [&Slope; 3]) -> f64 {
     let size = |i: &Interval| i.lo.abs().max(i.hi.abs());
     let turns = numbers.iter().map(|n| n.around * n.around).sum::<f64>().sqrt();
     let alone = |(i, n): (usize, &&Slope)| (0..3).all(|k| k == i || n.by[k] == ZERO);

@@ -69,12 +69,12 @@ pub(super) fn decode_tga(bytes: &[u8]) -> Result<Decoded, String> {
 
 /// Expands the run-length data of a TGA file: a byte below 128 is the number of literal pixels minus 1; a larger one
 /// repeats the next pixel, as often as it exceeds 127.
-fn decode_runs(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
+fn decode_runs(mut data: &[u8], bytes_per_pixel: usize, decoded_length: usize) -> Result<Vec<u8>, String> {
     let mut out = vec![];
-    while out.len() < wanted {
+    while out.len() < decoded_length {
         let (&run, rest) = data.split_first().ok_or("it is cut off")?;
         let count = usize::from(run & 0x7f) + 1;
-        let length = if run < 128 { count * size } else { size };
+        let length = if run < 128 { count * bytes_per_pixel } else { bytes_per_pixel };
         let (pixels, rest) = rest.split_at_checked(length).ok_or("it is cut off")?;
         (0..if run < 128 { 1 } else { count }).for_each(|_| out.extend_from_slice(pixels));
         data = rest;
@@ -82,12 +82,13 @@ fn decode_runs(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, S
     Ok(out)
 }
 
-fn decode_palette(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
+fn decode_palette(header: &Header, colors: &[u8], bytes_per_entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
     let indices: Vec<u8> = header.pixels_from_top_left(1, pixels).map(|p| p[0]).collect();
     let mut samples = vec![];
     for &index in &indices {
         let at = usize::from(index).checked_sub(header.first).ok_or("a pixel is not in the palette")?;
-        let bytes = colors.get(at * entry..(at + 1) * entry).ok_or("a pixel is not in the palette")?;
+        let bytes =
+            colors.get(at * bytes_per_entry..(at + 1) * bytes_per_entry).ok_or("a pixel is not in the palette")?;
         samples.extend(decode_color(bytes, header.color_bits));
     }
     Ok(header.to_decoded(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
@@ -110,13 +111,13 @@ fn decode_color(bytes: &[u8], bits: u8) -> [u8; 4] {
 
 impl Header {
     /// Returns the pixels of a TGA file from the top left.
-    fn pixels_from_top_left<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
+    fn pixels_from_top_left<'a>(&self, bytes_per_pixel: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
         let (width, height, down, leftwards) = (self.width, self.height, self.down, self.leftwards);
         (0..width * height).map(move |i| {
             let (x, y) = (i % width, i / width);
             let x = if leftwards { width - 1 - x } else { x };
             let y = if down { y } else { height - 1 - y };
-            &pixels[(y * width + x) * size..][..size]
+            &pixels[(y * width + x) * bytes_per_pixel..][..bytes_per_pixel]
         })
     }
 

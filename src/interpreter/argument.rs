@@ -108,7 +108,7 @@ impl<'a> Interpreter<'a> {
 
     /// True if no following token continues the value that was just read.
     pub(super) fn value_ends(&mut self) -> Result<bool> {
-        Ok(match self.peek_after()? {
+        Ok(match self.peek_after_value()? {
             None | Some(Token::Punctuation(Punctuation::Close(_)) | Token::End) => true,
             Some(Token::Punctuation(mark)) => {
                 !matches!(mark, Punctuation::Dot | Punctuation::Question | Punctuation::Operator(_))

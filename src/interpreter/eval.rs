@@ -28,7 +28,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Literal(data) => vector_value(data, e.span),
             ExprKind::Vector(parts) => self.evaluate_vector(parts, e.span),
             ExprKind::Paren(inner) => self.evaluate(inner),
-            ExprKind::Chain(chain) => self.evaluate_chain(chain),
+            ExprKind::Chain(chain) => self.evaluate_operator_chain(chain),
             ExprKind::Prefix(prefix, inner) => {
                 let value = self.evaluate(inner)?;
                 apply_prefix(*prefix, value, inner.span)
@@ -41,7 +41,7 @@ impl<'a> Interpreter<'a> {
                 Ok(if is_true { yes } else { no })
             }
             ExprKind::Builtin(name, arguments) => self.builtin(name.name, arguments, e.span),
-            ExprKind::Dot(..) => self.evaluate_components(e),
+            ExprKind::Dot(..) => self.evaluate_member_access(e),
             ExprKind::Index(array, indices) => {
                 let slot = self.evaluate_index(array, indices, e.span)?;
                 self.slot_value(slot, e.span)
@@ -57,7 +57,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Evaluates a member access such as `A.x`, without recursion for a chain such as `A.B.C`.
-    fn evaluate_components(&mut self, e: &'a Expr) -> Result<Value> {
+    fn evaluate_member_access(&mut self, e: &'a Expr) -> Result<Value> {
         if let Some(lvalue) = self.dictionary_lvalue(e)? {
             let slot = self.evaluator.slot_at(&lvalue, e.span)?;
             return self.slot_value(slot, e.span);
@@ -165,14 +165,14 @@ impl<'a> Interpreter<'a> {
     pub(super) fn combine(&mut self, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
         if divides_by_zero(op, &right.0) {
             let value = combine(op, left.0, right.0, left.1, right.1)?;
-            self.division_by_zero(right.1);
+            self.report_division_by_zero(right.1);
             return Ok(value);
         }
         combine(op, left.0, right.0, left.1, right.1)
     }
 
     /// Evaluates operators of one precedence from left to right.
-    fn evaluate_chain(&mut self, chain: &'a Chain) -> Result<Value> {
+    fn evaluate_operator_chain(&mut self, chain: &'a Chain) -> Result<Value> {
         let mut span = chain.first.span;
         let mut left = self.evaluate(&chain.first)?;
         for (op, operand) in &chain.rest {

@@ -73,7 +73,7 @@ pub struct Options {
     pub host: Arc<dyn Host>,
     /// Token with which another thread can end the run.
     pub cancel: CancelToken,
-    /// Size of the elements that the parser produces.
+    /// Granularity of the syntax tree that the parser produces: whole blocks and expressions, or single tokens.
     pub granularity: Granularity,
     /// True to record the call frames (macro calls and includes) of each object that is added to the scene.
     pub record_origins: bool,
@@ -280,7 +280,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reports a division by zero in an expression of the scene.
-    fn division_by_zero(&mut self, span: Span) {
+    fn report_division_by_zero(&mut self, span: Span) {
         let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
         self.report_here(d.label("this is 0"));
     }

@@ -39,7 +39,7 @@ impl<'a> Interpreter<'a> {
                     return Ok(empty_dictionary());
                 }
                 let value = self.evaluate_name(*symbol, *span)?;
-                let whole = self.next_is_complete(false);
+                let whole = self.next_value_is_complete(false);
                 self.stream.advance();
                 match is_callable(&value) {
                     true => self.read_call_or_value(value, *span),

@@ -228,7 +228,8 @@ impl Interpreter<'_> {
 
     /// Returns the span of a comparison sign after the next operands, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_comparison())
+        {
             self.stream.split_next_element();
         }
         let row = self.stream.innermost()?.unread().iter();

@@ -11,12 +11,12 @@ pub const FOLDER: &str = "<durer>";
 
 /// Returns the text of a built-in include file. The name may have any letter case, as on the systems that many scenes
 /// come from.
-pub fn find_builtin(name: &str) -> Option<&'static str> {
+pub fn builtin_file_text(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(file, _)| file.eq_ignore_ascii_case(name)).map(|(_, text)| *text)
 }
 
 /// Returns the names of the built-in include files.
-pub fn builtin_names() -> impl Iterator<Item = &'static str> {
+pub fn builtin_file_names() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|(name, _)| *name)
 }
 

@@ -124,7 +124,7 @@ impl LoweredLight {
 
     /// Returns the stretches of a ray, in order, within the beam of a spotlight or cylinder light: pairs of distances
     /// between `from` and `to`. `None` for a light that shines in all directions.
-    pub fn lit_stretches(&self, ray: &Ray, [from, to]: [f64; 2]) -> Option<SmallVec<[[f64; 2]; 2]>> {
+    pub fn beam_stretches(&self, ray: &Ray, [from, to]: [f64; 2]) -> Option<SmallVec<[[f64; 2]; 2]>> {
         let (start, along) = (ray.origin - self.location, ray.dir.dot(self.axis));
         let (ahead, cos) = match self.profile {
             Profile::Round => return None,

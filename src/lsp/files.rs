@@ -33,7 +33,7 @@ impl Files {
         let now = Disk.stamp(path);
         if self.0.get(path).is_none_or(|file| file.read != now) {
             let built_in =
-                path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::find_builtin);
+                path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::builtin_file_text);
             let text = match built_in {
                 Some(text) => text.to_string(),
                 None if Disk.metadata(path).is_ok_and(|file| file.length > MAX_TEXT as u64) => return None,
@@ -61,7 +61,7 @@ pub struct ReachableText {
 pub fn find_included_file(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
     let including = folder.join("file");
     let found = search.resolve(&Disk, name, Some(&including)).map(|found| found.path);
-    found.or_else(|| library::find_builtin(name).map(|_| Path::new(library::FOLDER).join(name)))
+    found.or_else(|| library::builtin_file_text(name).map(|_| Path::new(library::FOLDER).join(name)))
 }
 
 /// The text `from` and all files that it includes, none twice.
@@ -89,7 +89,7 @@ pub fn reachable(
             if !seen.insert(path.clone()) {
                 continue;
             }
-            let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| same(open, &path));
+            let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| are_same_file(open, &path));
             let reached = match open.values().find(is_it) {
                 Some(open) => Some((Arc::new(open.text.clone()), open.outline.clone())),
                 None => files.get(&path).map(|file| (file.text.clone(), file.outline.clone())),
@@ -102,6 +102,6 @@ pub fn reachable(
 }
 
 /// True if both paths name the same file.
-pub fn same(a: &Path, b: &Path) -> bool {
+pub fn are_same_file(a: &Path, b: &Path) -> bool {
     a == b || a.file_name() == b.file_name() && matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }

@@ -1,7 +1,7 @@
 //! Runs an open scene, and collects the diagnostics of each of its files.
 
 use super::diagnostics::{EditorDiagnostic, from_run_diagnostic, idle_branch_hint};
-use super::files::same;
+use super::files::are_same_file;
 use crate::Keep;
 use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
@@ -102,7 +102,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     for span in &built.unused_branches {
         let Some((id, bytes)) = sources.locate(*span) else { continue };
         let path = sources.path(id).filter(|_| id != file).map(Path::to_path_buf);
-        if path.as_deref().is_none_or(|path| job.open.iter().any(|(open, _)| same(open, path))) {
+        if path.as_deref().is_none_or(|path| job.open.iter().any(|(open, _)| are_same_file(open, path))) {
             out.entry(path).or_default().push(idle_branch_hint(&sources, id, bytes));
         }
     }

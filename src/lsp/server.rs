@@ -237,7 +237,7 @@ impl<S: Client> Server<S> {
         for (other, scene) in self.open.iter().filter(|(_, scene)| scene.is_scene()) {
             let mut reads = || {
                 let reached = files::reachable(&mut self.files, &self.open, scene, &self.include);
-                reached.iter().any(|one| matches!((&one.path, &path), (Some(a), Some(b)) if files::same(a, b)))
+                reached.iter().any(|one| matches!((&one.path, &path), (Some(a), Some(b)) if files::are_same_file(a, b)))
             };
             let belongs =
                 if other == key { is_scene } else { path.is_some() && !scene.outline.includes.is_empty() && reads() };
@@ -250,7 +250,8 @@ impl<S: Client> Server<S> {
 
     /// The editor's address of an open file, or the address of its path.
     pub(in crate::lsp) fn address(&self, path: &std::path::Path) -> Option<String> {
-        let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| files::same(open, path));
+        let is_it =
+            |document: &&Document| document.path.as_deref().is_some_and(|open| files::are_same_file(open, path));
         let open = self.open.values().find(is_it).map(|document| document.uri.clone());
         open.or_else(|| uri_of(path)).map(|uri| uri.as_str().to_string())
     }

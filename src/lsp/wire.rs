@@ -99,7 +99,7 @@ impl<R: BufRead> Reader<R> {
         let mut from = (&mut self.from).take(MAX_HEADER);
         let (mut line, mut length) = (vec![], None);
         if std::mem::take(&mut self.is_lost) {
-            if !skip_to_length(from.get_mut())? {
+            if !skip_past_length_header(from.get_mut())? {
                 return Ok(Header::End);
             }
             line.extend_from_slice(LENGTH);
@@ -159,7 +159,7 @@ fn shortened(text: &str) -> String {
 }
 
 /// Consumes the input including the next [`LENGTH`]; false at the end of the input.
-fn skip_to_length(from: &mut impl BufRead) -> io::Result<bool> {
+fn skip_past_length_header(from: &mut impl BufRead) -> io::Result<bool> {
     let mut n_matched = 0;
     loop {
         let bytes = from.fill_buf()?;

@@ -11,7 +11,7 @@ use crate::syntax::word::{CONSTANTS, GROUPS};
 use crate::value::words::{TRANSFORMS, word};
 use crate::value::{Family, Spec, ValueKind, WordSpec};
 
-/// Returns the table of words for a shape.
+/// Returns the specification of a shape's block, with the words that the block takes; `None` for other names.
 pub fn shape(name: &str) -> Option<&'static Spec> {
     Shape::spec_of(name)
 }
@@ -25,7 +25,7 @@ fn add(out: &mut Vec<WordSpec>, more: impl IntoIterator<Item = WordSpec>) {
 }
 
 /// Returns the names of these blocks as entries of a word table that take no value.
-fn names(specs: &[&Spec]) -> impl Iterator<Item = WordSpec> {
+fn block_name_entries(specs: &[&Spec]) -> impl Iterator<Item = WordSpec> {
     specs.iter().map(|spec| word(spec.name, ValueKind::Nothing, "", spec.summary))
 }
 
@@ -42,7 +42,7 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
         }
     }
     if holds_objects {
-        add(&mut out, names(Shape::SPECS));
+        add(&mut out, block_name_entries(Shape::SPECS));
         add(&mut out, interpreter::STATEMENTS.words.iter().copied().filter(|word| GROUPS.contains(&word.name)));
     }
     let mut tables: Vec<&[WordSpec]> = vec![];
@@ -50,11 +50,11 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
         tables.extend([MODIFIERS.words, TRANSFORMS]);
     }
     if matches!(block, "pigment" | "normal" | "texture" | "density" | "pattern") {
-        add(&mut out, names(FieldPattern::SPECS).chain(names(CellPattern::SPECS)));
+        add(&mut out, block_name_entries(FieldPattern::SPECS).chain(block_name_entries(CellPattern::SPECS)));
         tables.extend([Modifiers::WORDS, TurbulenceParams::WORDS, TRANSFORMS]);
     }
     match block {
-        "warp" => add(&mut out, names(Warp::SPECS)),
+        "warp" => add(&mut out, block_name_entries(Warp::SPECS)),
         "image_map" | "bump_map" | "material_map" | "image_pattern" => tables.push(bitmap::WORDS),
         "transform" => tables.push(TRANSFORMS),
         _ => {}
@@ -63,7 +63,7 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
     out
 }
 
-/// Returns the name of a kind of value.
+/// Returns the description of a kind of value, such as "a number".
 pub fn kind_description(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "nothing",

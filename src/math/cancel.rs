@@ -22,7 +22,7 @@ pub enum CancelReason {
 }
 
 thread_local! {
-    /// Token of the work that the thread does now.
+    /// Cancellation token of the work that the thread does now.
     static CURRENT: RefCell<Option<CancelToken>> = const { RefCell::new(None) };
 }
 
@@ -59,7 +59,7 @@ impl CancelToken {
 
     /// Runs `work` on the calling thread, whose polls by [`is_cancelled`] refer to this token meanwhile.
     pub fn scope<T>(&self, work: impl FnOnce() -> T) -> T {
-        /// Restores the token of the work around, after a panic too.
+        /// Guard that makes the thread's previous token current again when it is dropped, after a panic too.
         struct Restore(Option<CancelToken>);
         impl Drop for Restore {
             fn drop(&mut self) {

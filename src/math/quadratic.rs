@@ -42,7 +42,7 @@ impl Quadratic {
         if around.is_empty() || !numbers.iter().all(|v| v.is_finite()) || !self.c.is_finite() {
             return around;
         }
-        let squares = self.axis_lower_bounds();
+        let squares = self.diagonal_lower_bound_coefficients();
         let mut within = Aabb { min: around.min - self.center, max: around.max - self.center };
         // A tighter interval along one axis may tighten another.
         for _ in 0..2 {
@@ -62,7 +62,7 @@ impl Quadratic {
 
     /// Returns coefficients s of a lower bound without mixed terms: s with s·w² ≤ w·Qw: 2·q·x·y is at least -|q|·(x² +
     /// y²). Zeros stay zeros, all else is rounded downwards.
-    fn axis_lower_bounds(&self) -> DVec3 {
+    fn diagonal_lower_bound_coefficients(&self) -> DVec3 {
         let columns = [self.q.x_axis, self.q.y_axis, self.q.z_axis];
         let size = columns.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
         let least = |i: usize| match columns[i] {

@@ -25,7 +25,7 @@ const INTERIOR_ROWS: &[Row<Interior>] = &[
     )
     .sets(|s, r| set(&mut s.dispersion, r.float())),
     word("dispersion_samples", Float, "7", "into how many colours light splits, from 2 to 10000")
-        .sets(|s, r| set(&mut s.dispersion_samples, read_samples(r))),
+        .sets(|s, r| set(&mut s.dispersion_samples, read_dispersion_samples(r))),
     word(
         "fade_distance",
         Float,
@@ -184,7 +184,7 @@ impl Interior {
 const MAX_DISPERSION_SAMPLES: f64 = 10_000.0;
 
 /// Reads the number of `dispersion_samples`; larger numbers count as the maximum.
-fn read_samples(r: &mut dyn Reader) -> Result<u32> {
+fn read_dispersion_samples(r: &mut dyn Reader) -> Result<u32> {
     let (at, number) = (r.span(), r.float()?);
     if number < 2.0 {
         let message = format!("`dispersion_samples` is {number}; light splits into at least 2 colours");

@@ -20,7 +20,8 @@ use crate::source::Activity;
 use glam::Vec3;
 use serde::Serialize;
 
-/// Marks a triangle without normals, surface coordinates or textures in a list of indices for three corners.
+/// Entry for a triangle in a list with three indices for each triangle: the triangle has no normals, no surface
+/// coordinates or no textures.
 pub const NONE: [u32; 3] = [u32::MAX; 3];
 
 /// Maximum number of triangles of a mesh file, or its size in bytes if that is larger: a small file may refer to one

@@ -25,7 +25,7 @@ pub fn read_obj(bytes: &[u8], open: FileOpener) -> ReadResult<MeshFile> {
                 out.triangles.uvs.push(DVec2::new(u, v));
             }
             "f" => state.read_face(rest, line, &mut out)?,
-            "mtllib" => read_library(rest.trim(), open, &mut out)?,
+            "mtllib" => read_material_files(rest.trim(), open, &mut out)?,
             "usemtl" => {
                 let name = rest.trim();
                 let found = out.materials.iter().rposition(|material| material.name == name);
@@ -42,7 +42,7 @@ pub fn read_obj(bytes: &[u8], open: FileOpener) -> ReadResult<MeshFile> {
 }
 
 /// Reads the material files that a line of an OBJ file names; a missing one becomes a remark.
-fn read_library(rest: &str, open: FileOpener, out: &mut MeshFile) -> ReadResult<()> {
+fn read_material_files(rest: &str, open: FileOpener, out: &mut MeshFile) -> ReadResult<()> {
     // One name, which may contain blanks, or else several.
     if let Ok(bytes) = open(rest) {
         return mtl::read_mtl(&bytes, rest, &mut out.materials);

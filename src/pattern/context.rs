@@ -77,7 +77,8 @@ pub trait Field {
     /// Returns the pattern's number at a point, before frequency, phase and wave; in [0, 1] for most patterns.
     fn value(&self, at: &TextureContext) -> f64;
 
-    /// Returns the number of a pattern that depends on its shared parameters.
+    /// Returns the pattern's number at a point, as [`Field::value`], for a pattern whose number also depends on the
+    /// parameters that all patterns share.
     fn value_with_params(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
         self.value(at)
     }

@@ -125,8 +125,8 @@ pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
     near
 }
 
-/// Finds the site in the cubes around the point whose coordinates have the least sum.
-pub fn lowest_site(p: DVec3) -> DVec3 {
+/// Returns, of the sites in the cubes around the point, the site whose coordinates x + y + z have the least sum.
+pub fn site_with_least_sum(p: DVec3) -> DVec3 {
     let (cell, within) = Cell::cell_and_position(p);
     let corner = p - within;
     let sites = AROUND

@@ -69,7 +69,7 @@ fn stamp(path: &Path) -> Option<Stamp> {
     Disk.stamp(path)
 }
 
-fn content(path: &Path) -> Option<ContentHash> {
+fn hash_contents(path: &Path) -> Option<ContentHash> {
     Disk.read(path).ok().map(|bytes| ContentHash::of(&bytes))
 }
 
@@ -169,7 +169,7 @@ impl File {
         if now == self.stamp && now.is_some() {
             return false;
         }
-        let content = content(path);
+        let content = hash_contents(path);
         let changed = content != self.content;
         *self = Self { stamp: now, content };
         changed

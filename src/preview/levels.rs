@@ -33,7 +33,7 @@ pub fn render_progressively(
     // Cancelled work may go on for a while beside the next one, which then owns the screen.
     let check = || if cancel.is_cancelled() { Err(Stopped::Cancelled) } else { Ok(()) };
     check()?;
-    screen.begin(View { area });
+    screen.begin_picture(View { area });
     let pixels = area.width * area.height;
     let mut count = FIRST_PIXELS;
     while count < pixels {

@@ -52,7 +52,7 @@ struct Picture {
     done: bool,
 }
 
-/// Position of a page in the screen's changes: those that the page has received.
+/// Record of the screen's changes that one page has already received.
 #[derive(Debug, Default)]
 pub(super) struct Cursor {
     stamp: u64,
@@ -115,13 +115,13 @@ impl Screen {
         self.changed.notify_all();
     }
 
-    /// Replaces the state beside the picture.
+    /// Replaces the state of the work (settings, messages, times), which the page displays beside the picture.
     pub fn set_state(&self, state: PageState) {
         self.change(|contents, stamp| (contents.state, contents.state_stamp) = (Some(Arc::new(state)), stamp));
     }
 
     /// Starts a new picture. The last finished picture becomes the previous one.
-    pub fn begin(&self, view: View) {
+    pub fn begin_picture(&self, view: View) {
         self.change(|contents, stamp| {
             let last = contents.picture.take();
             let run = last.as_ref().map_or(1, |last| last.run + 1);
@@ -272,7 +272,7 @@ mod tests {
         let (screen, mut page) = (Screen::default(), Cursor::default());
         assert!(screen.wait(&mut page, Duration::ZERO).is_none());
         let area = Region { x: 5, y: 20, width: 40, height: 30 };
-        screen.begin(View { area });
+        screen.begin_picture(View { area });
         let update = collect(&screen, &mut page);
         assert_eq!((update.len(), update[0].new_size, update[0].tiles.len()), (1, Some([40, 30]), 0));
         // A tile that is partly outside of the view.
@@ -290,7 +290,7 @@ mod tests {
         assert!(screen.finished().is_none());
         screen.mark_finished();
         assert!(screen.finished().is_some());
-        screen.begin(View { area });
+        screen.begin_picture(View { area });
         assert_eq!(screen.previous().map(|image| image.pixels[0]), Some([0.25; 4]));
     }
 
@@ -298,7 +298,7 @@ mod tests {
     fn many_tiles_are_sent_in_batches() {
         let (screen, mut page) = (Screen::default(), Cursor::default());
         let area = Region { x: 0, y: 0, width: 640, height: 480 };
-        screen.begin(View { area });
+        screen.begin_picture(View { area });
         for at in 0..1200 {
             let (x, y) = (at % 40 * 16, at / 40 * 16);
             screen.put(Region { x, y, width: 16, height: 16 }, &[[1.0; 4]; 256]);

@@ -57,7 +57,7 @@ pub fn serve(port: u16, backend: Arc<dyn Backend>, screen: Arc<Screen>) -> io::R
     Ok(address)
 }
 
-/// Counter entry of an open connection to the preview server.
+/// Guard that counts an open connection to the preview server; dropping the guard decrements the shared count.
 struct Connection(Arc<AtomicUsize>);
 
 impl Drop for Connection {
@@ -123,7 +123,7 @@ impl Server {
             "page.js" => http::answer(to, "200 OK", "text/javascript; charset=utf-8", SCRIPT),
             "icon.svg" => http::answer(to, "200 OK", "image/svg+xml", ICON),
             "events" => stream::send(to, &self.screen),
-            "before.png" => self.previous(to),
+            "before.png" => self.send_previous_picture(to),
             "pick" => {
                 let (x, y) = (request.query_number("x").unwrap_or(0), request.query_number("y").unwrap_or(0));
                 http::answer(to, "200 OK", JSON, self.backend.pick(x, y).to_string().as_bytes())
@@ -144,7 +144,7 @@ impl Server {
         }
     }
 
-    fn previous(&self, to: &mut TcpStream) -> io::Result<()> {
+    fn send_previous_picture(&self, to: &mut TcpStream) -> io::Result<()> {
         let image = self.screen.previous();
         let encoding = Encoding { alpha: true, ..Encoding::new(Format::Png) };
         match image.and_then(|image| encode(&image, &encoding).ok()) {

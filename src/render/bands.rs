@@ -65,20 +65,23 @@ impl FrameRender<'_> {
             let band_before = std::mem::take(&mut finished);
             let pass_on = || if band_before.is_empty() { Ok(()) } else { receiver(band_before) };
             let render = |job: &Tile| {
-                self.load_or_render(*job, &n_done, self.pixels_in_passes(), || self.render_tile(job, &first_samples))
+                self.load_or_render(*job, &n_done, self.pixels_of_all_passes(), || {
+                    self.render_tile(job, &first_samples)
+                })
             };
             let (tiles, passed_on) = self.workers.map(&jobs, render, pass_on);
             passed_on?;
             // Collect the results
             let mut band = PixelRows::new(Region { height: 0, y: final_rows.start, ..region });
-            first_samples.add(first_rows.len());
-            band.add(final_rows.len());
+            first_samples.add_black_rows(first_rows.len());
+            band.add_black_rows(final_rows.len());
             for (job, (pixels, cast)) in jobs.iter().zip(tiles?) {
                 if job.pass == FINAL_PASS { &mut band } else { &mut first_samples }.put(job.area, &pixels);
                 counts.add(&cast);
             }
             (next_row, finished) = (final_rows.end, band.pixels);
-            first_samples.drop_above((next_row / self.row_alignment() * self.row_alignment()).saturating_sub(1));
+            first_samples
+                .drop_above((next_row / self.final_rows_per_group() * self.final_rows_per_group()).saturating_sub(1));
         }
         receiver(finished)?;
         Ok(counts)
@@ -87,7 +90,7 @@ impl FrameRender<'_> {
     /// Returns the end of the rows for which the final pass has the first samples around each pixel.
     fn final_rows_end(&self, first_samples: &PixelRows, next_row: usize, rows: usize) -> usize {
         let end = self.region.y + self.region.height;
-        let alignment = self.row_alignment();
+        let alignment = self.final_rows_per_group();
         match self.first_area() {
             None => (next_row + rows).min(end),
             Some(area) if first_samples.end_row() == area.y + area.height => end,
@@ -144,7 +147,7 @@ impl FrameRender<'_> {
     }
 
     /// Returns the number of rows in each group that the final pass computes together.
-    fn row_alignment(&self) -> usize {
+    fn final_rows_per_group(&self) -> usize {
         self.method.tile_edge().unwrap_or(1)
     }
 
@@ -165,7 +168,7 @@ impl FrameRender<'_> {
     }
 
     /// Returns the number of pixels that both passes of the render compute together, for the display of progress.
-    fn pixels_in_passes(&self) -> usize {
+    fn pixels_of_all_passes(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
         pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))
     }
@@ -200,7 +203,7 @@ mod tests {
     fn tiles_cover_their_rows_once() {
         let area = Region { x: 3, y: 5, width: 40, height: 100 };
         let mut counts = PixelRows::new(Region { height: 0, y: 10, ..area });
-        counts.add(37);
+        counts.add_black_rows(37);
         for tile in tiles(&area, 10..47, 16) {
             for y in tile.y..tile.y + tile.height {
                 for x in tile.x..tile.x + tile.width {

@@ -44,7 +44,7 @@ impl Blocks<'_> {
     pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, part: Region) -> Vec<Pixel> {
         let area = self.first_area(part);
         let mut current_pixels = PixelRows::new(area);
-        current_pixels.add(area.height);
+        current_pixels.add_black_rows(area.height);
         for y in area.y..area.y + area.height {
             let row: Vec<Pixel> = (area.x..area.x + area.width).map(|x| *first_samples.at(x, y)).collect();
             current_pixels.put(Region { y, height: 1, ..area }, &row);

@@ -25,7 +25,7 @@ impl PixelRows {
     }
 
     /// Adds black rows below the last row.
-    pub fn add(&mut self, rows: usize) {
+    pub fn add_black_rows(&mut self, rows: usize) {
         self.area.height += rows;
         self.pixels.resize(self.area.width * self.area.height, [0.0; 4]);
     }

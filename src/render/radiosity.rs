@@ -133,14 +133,14 @@ struct PointGrid {
 
 impl PointGrid {
     /// Returns the number of columns and rows of points.
-    fn points_across(&self) -> [usize; 2] {
+    fn point_columns_and_rows(&self) -> [usize; 2] {
         self.size.map(|size| (size as f64 / self.step).ceil().max(1.0) as usize)
     }
 
     /// Returns all cells by column and row, in an order in which each part of the list is spread over the picture: the
     /// places in the list are multiples of a number near the golden section of its length, coprime to the length.
     fn cells(&self) -> Vec<[u32; 2]> {
-        let [columns, rows] = self.points_across().map(|n| n.div_ceil(self.edge));
+        let [columns, rows] = self.point_columns_and_rows().map(|n| n.div_ceil(self.edge));
         let n = columns * rows;
         let first = ((n as f64 * GOLDEN_SECTION) as usize).max(1);
         let step = next_coprime(first, n);
@@ -150,7 +150,7 @@ impl PointGrid {
 
     /// Returns the points of a cell, (x, y) in pixels, row by row.
     fn points(self, cell: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
-        let across = self.points_across();
+        let across = self.point_columns_and_rows();
         let range = |i: usize| {
             let first = cell[i] as usize * self.edge;
             first..(first + self.edge).min(across[i])

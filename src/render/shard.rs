@@ -144,11 +144,11 @@ impl FrameRender<'_> {
             let mut first_samples = PixelRows::new(around.unwrap_or(Region { height: 0, ..area }));
             if let Some(around) = around {
                 let samples = render(FIRST_PASS, around, &first_samples)?;
-                first_samples.add(around.height);
+                first_samples.add_black_rows(around.height);
                 first_samples.put(around, &samples);
             }
             let mut pixels = PixelRows::new(area);
-            pixels.add(area.height);
+            pixels.add_black_rows(area.height);
             let edge = self.method.tile_edge().unwrap_or(EDGES[0]);
             for part in tiles(&area, area.y..area.y + area.height, edge) {
                 pixels.put(part, &render(FINAL_PASS, part, &first_samples)?);

@@ -17,7 +17,7 @@ const DIGEST: usize = 32;
 const HEAD: usize = MAGIC.len() + 2 + 2 * DIGEST + 16;
 /// Number of bytes that a writer collects before it hashes and writes them.
 const CHUNK: usize = 1 << 16;
-/// Maximum length of a file of light in bytes.
+/// Maximum length in bytes of a file of saved photons or radiosity samples.
 pub const MAX_LENGTH: u64 = 4 << 30;
 /// Maximum number of diffuse bounces before a radiosity sample in a file; a file with more is damaged.
 const MAX_DEPTH: u8 = 20;
@@ -42,7 +42,8 @@ pub enum LightKind {
 pub struct LightHeader {
     /// Kind of the file's records: photons or radiosity samples.
     pub kind: LightKind,
-    /// Digest of the scene without the camera and the settings of the light.
+    /// Digest of the scene's objects, materials and light sources; the camera and the radiosity settings do not affect
+    /// this digest.
     pub scene: Digest,
     /// Digest of everything that determines the light.
     pub computation: Digest,
@@ -58,7 +59,7 @@ pub struct LightFile {
     bytes: Arc<[u8]>,
 }
 
-/// Reason for which a file of light is not used.
+/// Reason for which a file of saved photons or radiosity samples is not used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightFileError {
     /// POV-Ray wrote the file.
@@ -88,7 +89,7 @@ impl LightKind {
     }
 
     /// Returns the words for messages: `photons` or `samples of radiosity`.
-    pub fn contents(self) -> &'static str {
+    pub fn plural_name(self) -> &'static str {
         match self {
             Self::Photons => "photons",
             Self::Radiosity => "samples of radiosity",

@@ -117,9 +117,9 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
         },
     ),
     word("load_file", Text, "", "file with photons to use in place of computing them")
-        .sets(|s, r| s.saved.read_load(LightKind::Photons, r)),
+        .sets(|s, r| s.saved.read_load_file(LightKind::Photons, r)),
     word("save_file", Text, "", "file to which the photons are saved")
-        .sets(|s, r| s.saved.read_save(LightKind::Photons, r)),
+        .sets(|s, r| s.saved.read_save_file(LightKind::Photons, r)),
 ];
 
 /// Specification of the block `photons { … }` of `global_settings`.

@@ -28,7 +28,8 @@ pub struct Radiosity {
     pub brightness: f64,
     /// Number of rays of a sample.
     pub count: u32,
-    /// Number of directions from which each sample takes `count`; `None` if all samples use the same directions.
+    /// Size of the pool of directions, of which each sample uses `count`; `None` if all samples use the same
+    /// directions.
     pub pool: Option<u32>,
     /// Maximum error of a sample that is reused, relative to the radius of the sample.
     pub error_bound: f64,
@@ -137,9 +138,9 @@ const ROWS: &[Row<Radiosity>] = &[
     word("subsurface", Flag, "off", "rays that gather light show `finish { subsurface }`")
         .sets(|s, r| set(&mut s.subsurface, r.flag())),
     word("load_file", Text, "", "file with samples to use in place of computing them")
-        .sets(|s, r| s.saved.read_load(LightKind::Radiosity, r)),
+        .sets(|s, r| s.saved.read_load_file(LightKind::Radiosity, r)),
     word("save_file", Text, "", "file to which the samples are saved")
-        .sets(|s, r| s.saved.read_save(LightKind::Radiosity, r)),
+        .sets(|s, r| s.saved.read_save_file(LightKind::Radiosity, r)),
 ];
 
 /// Specification of the block `radiosity { … }` of `global_settings`.

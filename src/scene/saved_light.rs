@@ -6,7 +6,8 @@ use crate::source::{Files, Span};
 use crate::value::Reader;
 use std::path::{Path, PathBuf};
 
-/// Files of light that a block of `global_settings` or an option names.
+/// Files of photons or radiosity samples to load from and to save to, as stated in a block of `global_settings` or by
+/// an option.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SavedLight {
     /// Photons or radiosity samples that were loaded from a file, and are used in place of computed ones.
@@ -39,19 +40,20 @@ pub struct SaveFile {
 
 impl SavedLight {
     /// Reads the file name after `load_file`, and loads the photons or radiosity samples of that file.
-    pub(super) fn read_load(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
+    pub(super) fn read_load_file(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
         let (at, name) = (r.span(), r.text()?);
         self.load(kind, &name, at, r)
     }
 
     /// Reads the name after `save_file`.
-    pub(super) fn read_save(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
+    pub(super) fn read_save_file(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
         let (source, name) = (r.span(), r.text()?);
         self.save = Some(SaveFile { kind, path: name.into(), source });
         Ok(())
     }
 
-    /// Reads a file of light. A file that cannot be used is reported, and the light is computed as without it.
+    /// Reads a file of saved photons or radiosity samples. A file that cannot be used is reported, and the photons or
+    /// samples are computed as without the file.
     ///
     /// # Errors
     /// E0235 if the scene may not read the file.
@@ -85,7 +87,7 @@ impl LoadedLight {
         match file {
             Ok(file) => Ok(Self { file, name: name.into(), source }),
             Err(reason) => {
-                let text = format!("`{name}` {reason}: the {} are computed", kind.contents());
+                let text = format!("`{name}` {reason}: the {} are computed", kind.plural_name());
                 let help = match kind {
                     LightKind::Photons => "`save_file` in place of `load_file` writes the file",
                     LightKind::Radiosity => "`save_file`, or `--save-radiosity` on the command line, writes the file",
@@ -100,10 +102,10 @@ impl LoadedLight {
 fn rejection_reason(error: LightFileError, kind: LightKind) -> String {
     match error {
         LightFileError::PovRay => {
-            format!("was saved by POV-Ray, and durer reads only {} that it saved", kind.contents())
+            format!("was saved by POV-Ray, and durer reads only {} that it saved", kind.plural_name())
         }
-        LightFileError::Foreign => format!("does not contain {}", kind.contents()),
-        LightFileError::OtherKind => format!("contains {}, not {}", kind.other().contents(), kind.contents()),
+        LightFileError::Foreign => format!("does not contain {}", kind.plural_name()),
+        LightFileError::OtherKind => format!("contains {}, not {}", kind.other().plural_name(), kind.plural_name()),
         LightFileError::OtherVersion => "was saved by another version of durer".into(),
         LightFileError::Damaged => "is damaged or cut off".into(),
     }

@@ -121,7 +121,8 @@ impl Blob {
     }
 }
 
-/// Number of a blob's stretches on a ray below which each piece of the ray adds up its own.
+/// Number of a blob's stretches on a ray below which no [`RunningSum`] is used: the polynomials of each piece of the
+/// ray are then added anew.
 const FEW_STRETCHES: usize = 64;
 /// Bound of the relative error of a [`RunningSum`]: that of several 100 000 additions.
 const RUNNING_ERROR: f64 = 1e-10;

@@ -38,7 +38,7 @@ impl Lathe {
     /// Creates the lathe of a curve through these points.
     pub fn new(interpolation: Interpolation, points: &[DVec2]) -> Self {
         let curve = single_outline(interpolation, points);
-        let (min, max) = curve.point_bounds();
+        let (min, max) = curve.curve_bounds();
         let bezier = interpolation == Interpolation::Bezier;
         let inner_radius = if bezier { curve.control_bounds().0.x } else { min.x };
         let segment = |i: usize| {
@@ -80,7 +80,7 @@ impl Readable for Lathe {
 
 impl Kernel for Lathe {
     fn bounds(&self) -> Aabb {
-        self.bounds_of_profile(self.curve.point_bounds())
+        self.bounds_of_profile(self.curve.curve_bounds())
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
@@ -92,7 +92,7 @@ impl Kernel for Lathe {
         let bezier = self.interpolation == Interpolation::Bezier;
         transformed_box(
             m,
-            &self.bounds_of_profile(if bezier { self.curve.control_bounds() } else { self.curve.point_bounds() }),
+            &self.bounds_of_profile(if bezier { self.curve.control_bounds() } else { self.curve.curve_bounds() }),
         )
     }
 

@@ -55,7 +55,7 @@ impl Prism {
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
         let (outlines, unclosed) = outlines_and_is_unclosed(interpolation, points);
         let (bottom, top) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
-        let ends = outlines.point_bounds();
+        let ends = outlines.curve_bounds();
         Self { interpolation, conic, bottom, top, outlines, open, unclosed, ends }
     }
 

@@ -14,7 +14,8 @@ use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Curvature of a quadric along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
+/// Curvature of a quadric along a line, relative to the largest element of the matrix Q, up to which `crossing` returns
+/// no interval and `hits` and `inside` decide.
 const STRAIGHT: f64 = 1e-6;
 
 /// Quadric: a surface of second order.

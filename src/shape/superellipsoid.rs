@@ -88,9 +88,9 @@ fn norm_and_derivatives(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
 #[derive(Clone, Copy)]
 struct End {
     s: f64,
-    /// Point of the line at this end, with absolute coordinates.
+    /// Point of the line at this end, with each coordinate replaced by its absolute value.
     p: DVec3,
-    /// Logarithms of the point's absolute coordinates.
+    /// Logarithms of the absolute values of the point's coordinates.
     ln: DVec3,
 }
 
@@ -111,8 +111,8 @@ struct TermLogarithms {
     gauge: f64,
 }
 
-/// Computes xⁿ of a number with this logarithm; 1 where powers have no limit.
-fn power_of_logarithm(ln: f64, n: f64) -> f64 {
+/// Returns xⁿ = exp(n·ln x), where `ln` is ln x; 1 if n·ln x is NaN, as for 0·∞.
+fn power_from_logarithm(ln: f64, n: f64) -> f64 {
     let product = ln * n;
     if product.is_nan() { 1.0 } else { fp::exp(product) }
 }
@@ -120,7 +120,7 @@ fn power_of_logarithm(ln: f64, n: f64) -> f64 {
 /// Logarithm of (xᵃ + yᵃ)^(1/a) from the logarithms of x and y.
 fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
-    big + fp::ln(1.0 + power_of_logarithm(small - big, a)) / a
+    big + fp::ln(1.0 + power_from_logarithm(small - big, a)) / a
 }
 
 impl Superellipsoid {
@@ -183,11 +183,11 @@ impl Superellipsoid {
             return false;
         }
         // The gauge grows along each axis, so it is bounded by its values at two corners of the piece's box.
-        let far = self.logarithms_at(lo.ln.max(hi.ln));
+        let far = self.term_logarithms(lo.ln.max(hi.ln));
         if far.gauge < -CLEAR {
             return false;
         }
-        let near = self.logarithms_at(lo.ln.min(hi.ln));
+        let near = self.term_logarithms(lo.ln.min(hi.ln));
         if near.gauge > CLEAR {
             return false;
         }
@@ -208,9 +208,9 @@ impl Superellipsoid {
 
     /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
     /// one exponential.
-    fn logarithms_at(&self, of: DVec3) -> TermLogarithms {
-        let across = ln_norm(of.x, of.y, 2.0 / self.e);
-        TermLogarithms { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
+    fn term_logarithms(&self, ln_point: DVec3) -> TermLogarithms {
+        let across = ln_norm(ln_point.x, ln_point.y, 2.0 / self.e);
+        TermLogarithms { of: ln_point, across, gauge: ln_norm(across, ln_point.z, 2.0 / self.n) }
     }
 
     /// Bounds of the derivative of the superellipsoid's (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by
@@ -218,7 +218,7 @@ impl Superellipsoid {
     fn derivative_bounds(&self, near: &TermLogarithms, far: &TermLogarithms, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
-            let (x, y) = (power_of_logarithm(lo, n), power_of_logarithm(hi, n));
+            let (x, y) = (power_from_logarithm(lo, n), power_from_logarithm(hi, n));
             (x.min(y), x.max(y))
         };
         let times = |(lo, hi): (f64, f64), v: f64| {

@@ -104,7 +104,8 @@ impl Glyph {
     }
 }
 
-/// Returns the extremum of a letter's curve along each axis, if it is between the ends.
+/// Returns the curve's turning points along x and y, combined by `better` (componentwise minimum or maximum). The
+/// curve's start replaces a turning point that is not between the ends.
 fn curve_extremum(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
     let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
     let inner = |s: f64| if s > 0.0 && s < 1.0 { curve_point(*curve, s) } else { curve[0] };

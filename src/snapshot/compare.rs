@@ -62,7 +62,7 @@ pub fn compare(expected: &Frame, rendered: &Frame, tolerance: Tolerance) -> Comp
             verdict: Verdict::Differs,
         };
     }
-    let distances = distances(expected, rendered);
+    let distances = pixel_differences(expected, rendered);
     let count = |limit| distances.iter().filter(|&&d| d > limit).count();
     let (different, beyond) = (count(0), count(tolerance.steps));
     let verdict = if different == 0 {
@@ -77,7 +77,7 @@ pub fn compare(expected: &Frame, rendered: &Frame, tolerance: Tolerance) -> Comp
 }
 
 /// Returns the largest difference of a channel for each pixel, in steps of 1/255.
-fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
+fn pixel_differences(a: &Frame, b: &Frame) -> Vec<u8> {
     let distance = |(p, q): (&[u8; 4], &[u8; 4])| match (p[3], q[3]) {
         (0, 0) => 0,
         _ => p.iter().zip(q).map(|(x, y)| x.abs_diff(*y)).max().unwrap_or(0),
@@ -87,7 +87,7 @@ fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
 
 /// Returns a map of the differences of two pictures of one size: the expected picture in dim gray, with colours from
 /// red for one step through orange and yellow to white for the largest difference.
-pub fn difference(expected: &Frame, rendered: &Frame) -> Frame {
+pub fn difference_map(expected: &Frame, rendered: &Frame) -> Frame {
     let paint = |(pixel, d): (&[f32; 4], u8)| {
         let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);
         let t = f32::from(d) / 255.0;
@@ -96,7 +96,7 @@ pub fn difference(expected: &Frame, rendered: &Frame) -> Frame {
     if (expected.width, expected.height) != (rendered.width, rendered.height) {
         return Frame::new(1, 1).over_black();
     }
-    let pixels = expected.pixels.iter().zip(distances(expected, rendered)).map(paint).collect();
+    let pixels = expected.pixels.iter().zip(pixel_differences(expected, rendered)).map(paint).collect();
     Frame { width: expected.width, height: expected.height, pixels }
 }
 
@@ -141,7 +141,7 @@ mod tests {
         let c = compare(&gray(0.5), &rendered, Tolerance::default());
         assert_eq!((c.pixels, c.different, c.beyond, c.largest), (5000, 1, 1, 188));
         assert_eq!(c.to_string(), "1 of 5000 pixels differ, by up to 188/255");
-        let map = difference(&gray(0.5), &rendered);
+        let map = difference_map(&gray(0.5), &rendered);
         assert!(map.pixels[7][0] == 1.0 && map.pixels[8][0] < 0.1);
     }
 

@@ -4,6 +4,6 @@ mod compare;
 mod find;
 mod report;
 
-pub use compare::{Comparison, Tolerance, Verdict, compare, difference};
+pub use compare::{Comparison, Tolerance, Verdict, compare, difference_map};
 pub use find::{Case, find, is_snapshot, test_options};
 pub use report::{Entry, Report, report};

@@ -1,6 +1,6 @@
 //! HTML page that shows expected and rendered pictures and their differences.
 
-use super::difference;
+use super::difference_map;
 use crate::diagnostic::Result;
 use crate::image_io::{Encoding, Format, Frame, encode};
 
@@ -34,7 +34,7 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
     let mut files = Report::new();
     let (mut good, mut bad) = (String::new(), String::new());
     for entry in entries {
-        let pictures = pictures(entry, &mut files)?;
+        let pictures = pictures_as_html(entry, &mut files)?;
         let (class, list) = if entry.fine { ("ok", &mut good) } else { ("bad", &mut bad) };
         let (title, text) = (escape_html(&entry.name), escape_html(&entry.text));
         let snapshot = format!("<small>{}</small>", escape_html(&entry.snapshot));
@@ -53,10 +53,10 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
 }
 
 /// Returns the pictures of one scene as HTML, and adds their files to the report.
-fn pictures(entry: &Entry<'_>, files: &mut Report) -> Result<String> {
+fn pictures_as_html(entry: &Entry<'_>, files: &mut Report) -> Result<String> {
     let stem: String =
         entry.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
-    let map = entry.expected.zip(entry.rendered).map(|(expected, rendered)| difference(expected, rendered));
+    let map = entry.expected.zip(entry.rendered).map(|(expected, rendered)| difference_map(expected, rendered));
     let shown = match entry.fine {
         true => [("rendered", entry.rendered), ("expected", None), ("difference", None)],
         false => [("expected", entry.expected), ("rendered", entry.rendered), ("difference", map.as_ref())],

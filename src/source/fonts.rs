@@ -68,7 +68,7 @@ const UNSUITABLE: &[&str] =
 impl Style {
     /// Guesses the style of a font from its name or file name.
     fn of_font_name(name: &str) -> Self {
-        let plain = letters_of(name);
+        let plain = lowercase_letters_of_stem(name);
         let family = FAMILIES.iter().find(|(part, _)| plain.contains(part)).map_or(Family::Sans, |(_, family)| *family);
         let holds = |parts: &[&str]| parts.iter().any(|part| plain.contains(part));
         let (bold, italic) = (holds(&["bold", "black", "heavy"]), holds(&["italic", "oblique", "slanted"]));
@@ -80,7 +80,7 @@ impl Style {
 }
 
 /// Returns the letters of a file's name in lower case, without its extension.
-fn letters_of(name: &str) -> String {
+fn lowercase_letters_of_stem(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
     stem.chars().filter(|c| c.is_ascii_alphabetic()).map(|c| c.to_ascii_lowercase()).collect()
@@ -89,13 +89,13 @@ fn letters_of(name: &str) -> String {
 /// Returns all font files in and below these folders, in the order of the folders and of the files' paths.
 pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
     let mut found = vec![];
-    folders.iter().for_each(|folder| collect(files, folder, MAX_DEPTH, &mut found));
+    folders.iter().for_each(|folder| collect_font_files(files, folder, MAX_DEPTH, &mut found));
     found
 }
 
 /// Returns the font file in and below these folders whose style is nearest to the style of the font `name`. The result
 /// depends only on the set of files that may be read.
-pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
+pub fn find_similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of_font_name(name));
     found.sort_by_cached_key(|file| (style_difference_key(wanted, file), file.clone()));
     found.into_iter().find(|file| files.may_read(file))
@@ -106,13 +106,13 @@ const MAX_DEPTH: usize = 6;
 /// Largest number of font files that a search for fonts reads.
 const MAX_FILES: usize = 20_000;
 
-fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
+fn collect_font_files(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
     let entries = files.list(folder).unwrap_or_default();
     let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| folder.join(entry.name)).collect();
     paths.sort();
     for path in paths {
         if files.is_folder(&path) && depth > 0 {
-            collect(files, &path, depth - 1, out);
+            collect_font_files(files, &path, depth - 1, out);
         } else if is_font_file_name(&path) && files.is_file(&path) && out.len() < MAX_FILES {
             out.push(path);
         }
@@ -128,14 +128,14 @@ pub fn is_font_file_name(path: &Path) -> bool {
 /// Ranks how much a font file differs from the wanted style, the most important criterion first.
 fn style_difference_key(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let (style, plain) = (Style::of_font_name(&name), letters_of(&name));
+    let (style, plain) = (Style::of_font_name(&name), lowercase_letters_of_stem(&name));
     let odd = UNSUITABLE.iter().any(|part| plain.contains(part));
     let rank = PREFERRED.iter().position(|p| plain.starts_with(p)).unwrap_or(PREFERRED.len());
     (odd, style.family != wanted.family, style.bold != wanted.bold, style.italic != wanted.italic, rank, plain)
 }
 
 /// Returns the folders of fonts: those in `DURER_FONTS`, or the folders of the system and the user.
-pub fn folders() -> Vec<PathBuf> {
+pub fn font_folders() -> Vec<PathBuf> {
     if let Some(list) = std::env::var_os("DURER_FONTS") {
         return std::env::split_paths(&list).collect();
     }
@@ -178,7 +178,7 @@ mod tests {
 
     fn found(name: &str, folders: &[&tempfile::TempDir]) -> Option<String> {
         let folders: Vec<PathBuf> = folders.iter().map(|f| f.path().to_path_buf()).collect();
-        let file = similar(&Disk, name, &folders)?;
+        let file = find_similar(&Disk, name, &folders)?;
         Some(file.file_stem()?.to_str()?.to_string())
     }
 
@@ -216,6 +216,6 @@ mod tests {
         assert_eq!(found("arial.ttf", &[&folder(&[])]), None);
         let fonts = folder(DEJAVU);
         let nothing = Sandbox::default();
-        assert_eq!(similar(&Sandboxed::new(&Disk, &nothing), "arial.ttf", &[fonts.path().into()]), None);
+        assert_eq!(find_similar(&Sandboxed::new(&Disk, &nothing), "arial.ttf", &[fonts.path().into()]), None);
     }
 }

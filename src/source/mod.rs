@@ -26,7 +26,7 @@ pub use memory::{Memory, Overlay};
 pub use read::{ReadError, read_text, text_of};
 pub use recorder::{ContentHash, ReadFiles, Recorder};
 pub use sandbox::{CreatedFiles, CreatedInSession, ReadPolicy, Sandbox, Sandboxed, WriteFolder, WritePolicy};
-pub use scenes::{scenes_below, texts_below};
+pub use scenes::{scenes_and_includes_below, scenes_below};
 pub use search::{Found, SearchPath};
 pub use sources::{FileId, Place, Sources, decode_text};
 pub use span::Span;

@@ -9,18 +9,18 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// If a folder cannot be read.
 pub fn scenes_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
-    below(files, folder, &["scene", "pov"])
+    files_with_ending_below(files, folder, &["scene", "pov"])
 }
 
 /// Returns all scenes and include files in and below a folder, sorted by path.
 ///
 /// # Errors
 /// If a folder cannot be read.
-pub fn texts_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
-    below(files, folder, &["scene", "pov", "inc"])
+pub fn scenes_and_includes_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
+    files_with_ending_below(files, folder, &["scene", "pov", "inc"])
 }
 
-fn below(files: &dyn Files, folder: &Path, endings: &[&str]) -> io::Result<Vec<PathBuf>> {
+fn files_with_ending_below(files: &dyn Files, folder: &Path, endings: &[&str]) -> io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     search(files, folder, endings, &mut found)?;
     found.sort();

@@ -36,7 +36,7 @@ impl SearchPath {
         }
         folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|folder| Disk.is_folder(folder)));
         let installed = folders.iter().filter(|folder| is_installed_povray_folder(folder)).cloned();
-        let fonts = super::fonts::folders().into_iter().chain(installed).collect();
+        let fonts = super::fonts::font_folders().into_iter().chain(installed).collect();
         Self { folders, fonts }
     }
 

@@ -99,7 +99,7 @@ pub fn early_brace_error(outline: &Outline) -> Option<Diagnostic> {
 /// Returns the errors for directives without `#end`: the directive that most probably lacks its `#end`, or without
 /// evidence the innermost three.
 pub(super) fn unclosed_directive_errors(outline: &Outline) -> Vec<Diagnostic> {
-    let open: Vec<_> = directives(outline).filter(|pair| pair.closer.is_none()).collect();
+    let open: Vec<_> = directives_with_body(outline).filter(|pair| pair.closer.is_none()).collect();
     let Some(outermost) = open.first() else { return vec![] };
     if let Some(d) = foreign_end_error(outline, outermost).or_else(|| outdented_end_error(outline)) {
         return vec![d];
@@ -109,7 +109,7 @@ pub(super) fn unclosed_directive_errors(outline: &Outline) -> Vec<Diagnostic> {
 }
 
 /// Returns the directives of a text that need an `#end`.
-fn directives(outline: &Outline) -> impl Iterator<Item = &Pair> {
+fn directives_with_body(outline: &Outline) -> impl Iterator<Item = &Pair> {
     outline.pairs.iter().filter(|pair| pair.bracket == b'#')
 }
 
@@ -135,7 +135,7 @@ fn outdented_end_error(outline: &Outline) -> Option<Diagnostic> {
         let mut outer = outline.pairs_around(pair.opener).filter(|outer| outer.bracket == b'#');
         outer.any(|outer| line(outer.opener).indent == end.indent)
     };
-    let wrong = directives(outline).filter(is_wrong).min_by_key(|pair| pair.closer)?;
+    let wrong = directives_with_body(outline).filter(is_wrong).min_by_key(|pair| pair.closer)?;
     let help = "add `#end` where it should end: by the indentation, the next one belongs further out";
     Some(unclosed_directive_error(outline, wrong).help(help))
 }

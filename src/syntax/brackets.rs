@@ -125,7 +125,7 @@ impl Brackets {
     }
 
     /// Ends conditional expressions at a comma or semicolon.
-    pub(super) fn end_choices(&mut self) {
+    pub(super) fn end_conditional_expressions(&mut self) {
         while matches!(self.stack.last(), Some((Opener::Otherwise, _))) {
             self.pop();
         }
@@ -133,7 +133,7 @@ impl Brackets {
 
     /// Ends the present body of the innermost directive, at `#else` or `#end`, and returns the directive's class. The
     /// directive stays open.
-    pub(super) fn end_body(&mut self) -> Option<u8> {
+    pub(super) fn end_body_and_class(&mut self) -> Option<u8> {
         let depth = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_)))?;
         self.pop_to(depth + 1);
         match self.stack[depth].0 {

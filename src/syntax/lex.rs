@@ -100,7 +100,7 @@ impl Lexer<'_> {
                 b'=' | b'!' => self.operator(b),
                 b',' | b';' => {
                     self.push(b, 1, 0);
-                    self.brackets.end_choices();
+                    self.brackets.end_conditional_expressions();
                     if b == class::SEMICOLON {
                         self.add_cut_outside_brackets();
                     }
@@ -220,7 +220,7 @@ impl Lexer<'_> {
         if self.brackets.allows_number_lists()
             && !goes_on
             && let Some((count, end)) = lists.scan_count_and_end(self.bytes, self.at, !after_operand)
-            && (count > 1 || lists.first_width() > 1)
+            && (count > 1 || lists.first_item_width() > 1)
         {
             return Some((if count > 1 { class::NUMBERS } else { class::LITERAL }, end));
         }
@@ -258,7 +258,7 @@ impl Lexer<'_> {
             Some((opener, token)) => {
                 self.out.classes[token] = opener.opening_and_closing_class().0;
                 if opener == Opener::Brace {
-                    self.mark_head(token);
+                    self.mark_word_before_brace(token);
                 }
                 self.push(class, 1, 0);
                 if class == class::BRACE_END {
@@ -275,7 +275,7 @@ impl Lexer<'_> {
     }
 
     /// Marks the word before a matched brace, so that the grammar need not find out whether the word opens a block.
-    fn mark_head(&mut self, brace: usize) {
+    fn mark_word_before_brace(&mut self, brace: usize) {
         let Some((word, before)) = self.out.classes[..brace].split_last_mut() else { return };
         let is_word = matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN);
         if is_word && !matches!(before.last(), Some(&class::DOT | &class::MACRO)) {
@@ -382,13 +382,13 @@ impl Lexer<'_> {
                 self.push(class, end - at, 0);
                 self.brackets.open(Opener::Directive(class), token);
             }
-            Some((class, Role::Continues(which))) => match self.brackets.end_body() {
+            Some((class, Role::Continues(which))) => match self.brackets.end_body_and_class() {
                 Some(open) if which.contains(&open) => {
                     self.push(class, end - at, 0);
                 }
                 _ => self.report_stray_branch(word, at, end),
             },
-            Some((class, Role::Ends)) => match self.brackets.end_body() {
+            Some((class, Role::Ends)) => match self.brackets.end_body_and_class() {
                 Some(_) => {
                     self.brackets.end_directive();
                     self.push(class, end - at, 0);

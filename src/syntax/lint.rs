@@ -20,16 +20,16 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// Returns the lints of a scene's own file, `files[0]`. The other files are its includes: they are read for the names
+/// Returns the lints of a scene's own file, `scene_and_includes[0]`. The other files are its includes: they are read for the names
 /// that they declare and use.
-pub fn lint_scene(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
+pub fn lint_scene(sources: &Sources, scene_and_includes: &[FileId], lints: Lints) -> Vec<Diagnostic> {
     let outline = |(i, &file): (usize, &FileId)| {
         let (text, base) = (sources.text(file), sources.base(file));
         // Rules about commas need each number of the scene's own file as a token.
         let lists = i > 0 || !lints.portable;
         Outline::new(text, &Tokens::new(lex(text, base, &Names::default(), lists), base))
     };
-    let outlines: Vec<Outline> = files.iter().enumerate().map(outline).collect();
+    let outlines: Vec<Outline> = scene_and_includes.iter().enumerate().map(outline).collect();
     let Some(own) = outlines.first() else { return vec![] };
     let mut out = vec![];
     if lints.unused {

@@ -143,7 +143,7 @@ impl ListScanner {
     }
 
     /// Returns the number of components of the first scanned item.
-    pub(super) fn first_width(&self) -> usize {
+    pub(super) fn first_item_width(&self) -> usize {
         self.widths.first.map_or(0, usize::from)
     }
 

@@ -42,7 +42,7 @@ pub fn entry(word: &str) -> Option<&'static Word> {
     word_number_and_category(word).map(|(number, _)| word_of_number(number))
 }
 
-/// Returns the number of a reserved word, for [`by_number`], and its category.
+/// Returns the number of a reserved word, for [`word_of_number`], and the word's category.
 pub(super) fn word_number_and_category(word: &str) -> Option<(u32, Category)> {
     TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }

@@ -57,9 +57,9 @@ impl<T> Map<T> {
 
 /// Value of a map or list: a pigment, normal, texture, slope or density.
 pub trait Entry: Clone {
-    /// The block of a map of these values, such as `pigment_map`.
+    /// Keyword of a block that maps numbers to values of this type, such as `pigment_map`.
     const MAP: &'static str;
-    /// The block of one value, such as `pigment`; empty if it has none.
+    /// Keyword of a block that describes one value of this type, such as `pigment`; empty if there is no such block.
     const BLOCK: &'static str;
 
     /// Reads the value of a map's entry after its number, or the contents of the value's block, on top of the default

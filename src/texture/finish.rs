@@ -17,7 +17,7 @@ pub struct Finish {
     pub ambient: Rgb,
     /// Factor of the pigment's colour in the light that the finish emits.
     pub emission: Rgb,
-    /// Fraction of incident light that the finish scatters on its own side.
+    /// Fraction of incident light that the finish scatters diffusely back to the side that the light comes from.
     pub diffuse: f64,
     /// Fraction of light on the far side that the finish scatters through the surface.
     pub diffuse_back: f64,
@@ -56,7 +56,8 @@ pub struct Finish {
 /// Parameters of a finish that few scenes set.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Uncommon {
-    /// Index of refraction in the finish of an old scene, overridden by the interior's.
+    /// Index of refraction in the finish of an old scene. In the topmost layer it has priority over that of the
+    /// interior (quirk: `finish_ior_first`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
     /// Caustics in the finish of an old scene, in their old unit.

@@ -2,7 +2,7 @@
 
 use super::blend::{self, Blend, Entry, Map};
 use super::doubts::warn_of_byte_color;
-use super::words::{PIGMENT, PIGMENT_ROWS, pigment_names};
+use super::words::{PIGMENT, PIGMENT_ROWS, words_of_pigment_block};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -190,7 +190,7 @@ impl Pigment {
                 self.paint = Paint::Pigments(Blend::Map(Arc::new(Map { entries })));
                 r.leave_block()
             }
-            Next::Word(_) if !r.is_at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
+            Next::Word(_) if !r.is_at_color()? => Err(r.unknown_word("pigment", &words_of_pigment_block()).into()),
             Next::Word(_) | Next::Value => {
                 let at = r.span();
                 let color = r.color()?.without_infinities();
@@ -199,7 +199,7 @@ impl Pigment {
                 self.forget_pattern();
                 Ok(())
             }
-            _ => Err(r.unknown_word("pigment", &pigment_names()).into()),
+            _ => Err(r.unknown_word("pigment", &words_of_pigment_block()).into()),
         }
     }
 

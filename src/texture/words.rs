@@ -58,7 +58,7 @@ pub const IMAGE_MAP: Spec = Spec {
 };
 
 /// All words of a pigment, including those of colours and patterns.
-pub fn pigment_names() -> Vec<&'static str> {
+pub fn words_of_pigment_block() -> Vec<&'static str> {
     let colors = ["color", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "red", "green", "blue", "filter", "transmit"];
     let specs = || CellPattern::SPECS.iter().chain(FieldPattern::SPECS);
     let patterns = specs().map(|s| s.name).chain(Modifiers::WORDS.iter().map(|w| w.name));

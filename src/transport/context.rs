@@ -55,7 +55,7 @@ pub struct FrameContext<'w> {
     /// The lowered scene.
     pub world: &'w World,
     pub(super) quality: Quality,
-    /// Features that rays show which gather light for radiosity.
+    /// Features that are on for rays that gather light for radiosity.
     pub(super) gather_quality: Quality,
     pub(super) camera: CameraOrigin,
     /// Number of the frame, a part of each random number's key.

@@ -156,7 +156,7 @@ impl<'w> Tracer<'w> {
             return Segment::NONE;
         }
         let sampling = stretch.sampling();
-        let beams = self.beams(stretch);
+        let beams = self.scattered_lights(stretch);
         let scatters = stretch.media.iter().any(|medium| medium.scattering.color != Rgb::ZERO);
         let has_photons = self.context.photons.as_ref().is_some_and(Photons::has_media_photons);
         let random = self.random.sequence(Purpose::Media);
@@ -186,7 +186,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the lights that media scatter; none for a shadow ray.
-    fn beams(&self, stretch: &MediaStretch) -> BeamList<'w> {
+    fn scattered_lights(&self, stretch: &MediaStretch) -> BeamList<'w> {
         if stretch.context.is_shadow {
             return BeamList::new();
         }
@@ -195,18 +195,19 @@ impl<'w> Tracer<'w> {
         for &number in &world.lit_by[stretch.context.light_set as usize] {
             let light = &world.lights[number as usize];
             if light.emitter.scattered {
-                beams.push(BeamOnRay { light, stretches: light.emitter.lit_stretches(stretch.ray, stretch.range) });
+                beams.push(BeamOnRay { light, stretches: light.emitter.beam_stretches(stretch.ray, stretch.range) });
             }
         }
         beams
     }
 
-    /// Adds an interval in which all samples of method 3 are equal.
+    /// Adds an interval by method 3 if the media have the same properties at all its points, so that one sample stands
+    /// for all.
     fn add_constant(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let [from, to] = interval.range;
         let mean = self.point_sample(interval, from);
-        let n = f64::from(adaptive_count(sampling) - 1);
-        for _ in 1..adaptive_count(sampling) {
+        let n = f64::from(unrefined_sample_count(sampling) - 1);
+        for _ in 1..unrefined_sample_count(sampling) {
             sum.add(&mean, (to - from) / n);
         }
     }
@@ -240,7 +241,7 @@ impl<'w> Tracer<'w> {
     /// light differs.
     fn add_adaptive(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let ([from, to], draws) = (interval.range, interval.draws);
-        let n = adaptive_count(sampling);
+        let n = unrefined_sample_count(sampling);
         let step = (to - from) / f64::from(n);
         let at = |i: u32| from + step * (f64::from(i) + draws.jittered(sampling.jitter, i));
         let halving = Halving {
@@ -413,7 +414,7 @@ impl StoppingRule {
 }
 
 /// Returns the number of samples of an interval by method 3 before it is refined.
-fn adaptive_count(sampling: &MediaSampling) -> u32 {
+fn unrefined_sample_count(sampling: &MediaSampling) -> u32 {
     (sampling.min_samples / 2 + 2).max(3)
 }
 

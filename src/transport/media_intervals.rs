@@ -43,7 +43,7 @@ pub(super) fn media_intervals(
         return equal_parts(stretch.range, if is_uniform { 1 } else { intervals.max(1) }).collect();
     }
     let lit: SmallVec<[[f64; 2]; 8]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
-    let pieces = beam_pieces(lit, stretch.range);
+    let pieces = lit_and_unlit_pieces(lit, stretch.range);
     let counts = interval_counts(
         &pieces.iter().map(|(_, lit)| *lit).collect::<SmallVec<[bool; 8]>>(),
         intervals,
@@ -63,7 +63,7 @@ type Pieces = SmallVec<[([f64; 2], bool); 8]>;
 
 /// Divides a range at the ends of the lit stretches; overlapping stretches are united. Each piece states whether it is
 /// lit.
-fn beam_pieces(mut lit: SmallVec<[[f64; 2]; 8]>, [from, to]: [f64; 2]) -> Pieces {
+fn lit_and_unlit_pieces(mut lit: SmallVec<[[f64; 2]; 8]>, [from, to]: [f64; 2]) -> Pieces {
     lit.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut pieces = Pieces::new();
     let mut last = from;
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn beams_divide_a_stretch() {
-        let pieces = |lit: &[[f64; 2]]| beam_pieces(lit.into(), [0.0, 1.0]);
+        let pieces = |lit: &[[f64; 2]]| lit_and_unlit_pieces(lit.into(), [0.0, 1.0]);
         assert_eq!(pieces(&[])[..], [([0.0, 1.0], false)]);
         assert_eq!(
             pieces(&[[0.5, 0.7], [0.2, 0.6]])[..],

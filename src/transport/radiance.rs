@@ -116,8 +116,9 @@ impl<'w> Tracer<'w> {
         false
     }
 
-    /// Continues a ray beyond a surface whose material is clear, and returns true. False, without any effect, if the ray
-    /// may change its direction or end there, or if the surface is lit differently: [`Self::scatter`] knows.
+    /// Continues a ray beyond a surface whose material is clear, and returns true. Returns false, without any effect,
+    /// if the ray may change its direction or end there, or if the scene has radiosity; [`Self::scatter`] then handles
+    /// the hit.
     #[inline(never)]
     fn passes_clear_surface(&mut self, state: &mut RayState, hit: &Intersection, interface: &Interface) -> bool {
         let (world, quality) = (self.context.world, &self.context.quality);
@@ -143,8 +144,9 @@ impl<'w> Tracer<'w> {
         true
     }
 
-    /// Notes the distance of the first hit of a ray that gathers light, and weights the ray. False if the ray ends there,
-    /// since other rays have its weight: the share `importance` of the rays to an object is traced.
+    /// Stores the distance of the first hit of a ray that gathers light, and divides the ray's throughput by the
+    /// object's `importance`. False if the ray ends there: only the share `importance` of the rays to an object is
+    /// traced on.
     #[inline(never)]
     fn gather_ray_survives(&mut self, state: &mut RayState, rank: f64, hit: &Intersection) -> bool {
         self.first_distance = hit.t();

@@ -192,8 +192,8 @@ impl<'w> Painter<'w, '_> {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
-    /// Adds the evaluated layers of a material. Without light, only the lowest visible layer is (quirk:
-    /// `unlit_layers`).
+    /// Adds the evaluated layers of a material. At a quality level without light sources, only the lowest visible layer
+    /// is added (quirk: `unlit_layers`).
     fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         let first = self.layers.len();
         let mut transmittance = Rgb::ONE;

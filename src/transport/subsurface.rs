@@ -25,7 +25,8 @@ struct Exit<'a> {
     point: DVec3,
     /// Outward normal at the point, length 1.
     normal: DVec3,
-    /// Number of the solid's interior: light enters where it bounds a solid.
+    /// Number of the translucent solid's interior; only surfaces with the same interior count as surfaces of this
+    /// solid.
     interior: u32,
     /// Index of refraction of the interior.
     ior: f64,

@@ -102,11 +102,11 @@ impl Tracer<'_> {
         };
         if world.colors_light || has_air || has_media {
             let segments = ShadowSegments { distance, has_air, has_media };
-            let surfaces = if may_be_filtered.get() { surfaces(world, ray, range, filters) } else { vec![] };
+            let surfaces = if may_be_filtered.get() { filtering_surfaces(world, ray, range, filters) } else { vec![] };
             return self.segmented_transmittance(ray, surfaces, copy_of(inside), segments);
         }
         let mut transmittance = Rgb::ONE;
-        for hit in surfaces(world, ray, range, filters) {
+        for hit in filtering_surfaces(world, ray, range, filters) {
             transmittance *= shading_point::shadow_transmittance(world, ray, &hit, use_quick_color);
         }
         transmittance
@@ -159,7 +159,12 @@ impl Tracer<'_> {
 /// Returns the transparent surfaces along a shadow ray, from the nearest to the farthest. A surface closer to the one
 /// before than the minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk:
 /// `shadow_min_distance`).
-fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
+fn filtering_surfaces<'w>(
+    world: &'w World,
+    ray: &Ray,
+    range: Range,
+    filters: impl Fn(u32) -> bool,
+) -> Vec<Intersection<'w>> {
     if world.restarts_shadow_rays {
         return surfaces_one_by_one(world, ray, range, filters);
     }
@@ -181,7 +186,7 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
     surfaces
 }
 
-/// Returns the same surfaces as [`surfaces`], but each is found by a ray that starts at the surface before (quirk:
+/// Returns the same surfaces as [`filtering_surfaces`], but each is found by a ray that starts at the surface before (quirk:
 /// `isosurface_csg_shadows`).
 fn surfaces_one_by_one<'w>(
     world: &'w World,

@@ -39,7 +39,7 @@ pub fn read_row<T>(rows: &[Row<T>], thing: &mut T, next: Next, r: &mut dyn Reade
 }
 
 /// True if the next token is a word of the table.
-pub fn is_row<T>(rows: &[Row<T>], next: Next) -> bool {
+pub fn is_word_in_rows<T>(rows: &[Row<T>], next: Next) -> bool {
     matches!(next, Next::Word(word) if rows.iter().any(|row| row.spec.name == word))
 }
 

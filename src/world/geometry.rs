@@ -227,7 +227,7 @@ impl Geometry {
                 return true;
             }
             let (bounds, planes) = (item.bounds(), item.half_spaces());
-            if !shaft.may_intersect(&bounds) || planes.iter().any(|plane| plane.is_left_by(shaft, min)) {
+            if !shaft.may_intersect(&bounds) || planes.iter().any(|plane| plane.shaft_exits_before(shaft, min)) {
                 return true;
             }
             *last = Some(ShaftOccluder { index, bounds: planes.is_empty().then_some(bounds) });

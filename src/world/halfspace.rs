@@ -43,7 +43,7 @@ impl HalfSpace {
 
     /// True if each ray of the shaft leaves the half-space within half the distance `min` and does not return, so that
     /// it hits nothing in the half-space at `min` or farther away.
-    pub fn is_left_by(&self, shaft: &Shaft, min: f64) -> bool {
+    pub fn shaft_exits_before(&self, shaft: &Shaft, min: f64) -> bool {
         let height = |p: DVec3| self.normal.dot(p) - self.distance;
         let noise = NOISE * (self.distance.abs() + shaft.apex.abs().max_element());
         let start = height(shaft.apex) - noise;

@@ -72,11 +72,11 @@ impl Sky {
             .iter()
             .rev()
             .map(|layer| layer.quick.as_ref().filter(|_| use_quick_color).unwrap_or(&layer.color).color_at(&ctx));
-        if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
+        if self.by_share { self.mix_by_share(colors, behind) } else { self.composite_layers(colors, behind) }
     }
 
     /// Composites the layers of the sky sphere, given from the topmost on, over the light `behind`.
-    fn layered(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
+    fn composite_layers(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let veil = |color: Color| Segment {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
             transmittance: color.transmittance(),
@@ -86,7 +86,7 @@ impl Sky {
 
     /// Mixes the layers of the sky sphere by their shares, as before version 3.7. Light that passes all layers is
     /// tinted by the product of their colours (quirk: `sky_by_share`).
-    fn by_share(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
+    fn mix_by_share(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let (mut light, mut share) = (Rgb::ZERO, 1.0);
         let (mut transmit, mut filter, mut tint) = (1.0, 1.0, Rgb::ONE);
         for color in colors {

@@ -19,8 +19,8 @@ pub(super) struct StoredLight {
 }
 
 impl StoredLight {
-    /// Adds a part that begins at `offset_in_light` in its file of light, and at `offset_in_journal` in the journal's file. The first part of a
-    /// file of light replaces what an interrupted attempt has left.
+    /// Records the position of a stored part: `offset_in_light` in its file of light, `offset_in_journal` in the
+    /// journal's file. The first part of a file of light replaces the parts of an interrupted attempt.
     pub(super) fn add_part(&mut self, kind: LightKind, offset_in_light: u64, offset_in_journal: u64, length: usize) {
         let parts = &mut self.parts[kind as usize];
         if offset_in_light == 0 {
@@ -63,7 +63,7 @@ impl Journal {
         if state.error.is_some() {
             return;
         }
-        match state.write_header_if_new().and_then(|_| state.write()) {
+        match state.write_header_if_new().and_then(|_| state.write_pending()) {
             Ok(()) if state.key.is_some() => {
                 if let Err(error) = state.append_light(kind, write) {
                     state.light.error = Some(error);
@@ -114,7 +114,7 @@ impl PartWriter<'_> {
         key.append_light(&mut self.state.pending, self.state.end, self.kind, self.start, &self.part);
         self.start += self.part.len() as u64;
         self.part.clear();
-        self.state.write()
+        self.state.write_pending()
     }
 }
 

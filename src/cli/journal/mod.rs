@@ -126,7 +126,7 @@ const SYNC_INTERVAL: Duration = Duration::from_secs(5);
 /// The tiles of a picture that is being rendered.
 pub struct Journal {
     path: PathBuf,
-    /// True if the same command continues the work, as that of a shard does.
+    /// True for the journal of a shard: the same command continues the work without `--resume`.
     continues_itself: bool,
     state: Mutex<State>,
 }
@@ -171,7 +171,8 @@ impl Journal {
         Self { path, continues_itself: false, state: Mutex::new(state) }
     }
 
-    /// Changes the journal to that of a shard, which the same command continues.
+    /// Marks the journal as that of a shard; messages then say that the same command continues the work, without
+    /// `--resume`.
     pub fn of_shard(self) -> Self {
         Self { continues_itself: true, ..self }
     }
@@ -245,7 +246,7 @@ impl Journal {
         if state.key.is_none() {
             return Ok(vec![]);
         }
-        state.write().map_err(|e| unreadable_reason(&e))?;
+        state.write_pending().map_err(|e| unreadable_reason(&e))?;
         let Some(key) = &state.key else { return Ok(vec![]) };
         let mut reader = reader_from_start(state.file.file()).map_err(|e| unreadable_reason(&e))?;
         let (mut at, mut tiles) = (read_header(&mut reader)?.len() as u64, vec![]);
@@ -285,7 +286,7 @@ impl Journal {
         let mut state = self.state();
         state.key.as_ref()?;
         if state.error.is_none() {
-            state.error = state.write().err();
+            state.error = state.write_pending().err();
         }
         let unsynced = state.take_unsynced(Duration::ZERO);
         drop(state);
@@ -356,7 +357,11 @@ impl State {
         let Some(key) = &self.key else { return Ok(()) };
         let offset = self.end + self.pending.len() as u64;
         key.append(&mut self.pending, offset, tile, pixels);
-        if is_first || self.pending.len() >= CHUNK || self.is_sync_due(SYNC_INTERVAL) { self.write() } else { Ok(()) }
+        if is_first || self.pending.len() >= CHUNK || self.is_sync_due(SYNC_INTERVAL) {
+            self.write_pending()
+        } else {
+            Ok(())
+        }
     }
 
     /// Replaces the old contents by the header of new work, if the header is not written yet. Returns true if it was written.
@@ -379,7 +384,7 @@ impl State {
         Ok(())
     }
 
-    fn write(&mut self) -> io::Result<()> {
+    fn write_pending(&mut self) -> io::Result<()> {
         let mut file = self.file.file();
         file.seek(SeekFrom::Start(self.end))?;
         file.write_all(&self.pending)?;

@@ -145,7 +145,7 @@ pub(super) fn pigments_page() -> String {
     let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     section(&texture::words::PIGMENT, "pigment", &[])
-        + &pictures()
+        + &image_block_sections()
         + "# Patterns of cells\n\nEach kind of cell has a colour, or a pigment, of its own.\n\n"
         + &cells
         + "# Patterns of numbers\n\nEach point has a number, which `color_map` turns into a colour.\n\n"
@@ -163,7 +163,7 @@ const AVERAGE: &str = "## average\n\n`average`: all entries of a `pigment_map`, 
                        numbers are weights; one that is left out is 1, but before a colour it must be there.\n\n";
 
 /// Returns the sections about `image_map` and related blocks.
-fn pictures() -> String {
+fn image_block_sections() -> String {
     let formats = list_in_backticks(bitmap::FORMATS);
     let all = word_table(bitmap::WORDS, &[]);
     let image_map = section(&texture::words::IMAGE_MAP, "image_map", &[]);

@@ -6,10 +6,11 @@ use super::table::{Row, Takes};
 #[derive(Clone, Debug, Default)]
 pub struct NamedSettings(Vec<(&'static str, String)>);
 
-/// Names of the settings that apply together, so that an INI file may state them several times.
+/// INI names of settings that an INI file may state several times, because every value applies and not only the last.
 const REPEATED: &[&str] = &["Declare", "Library_Path"];
 
-/// INI names of options with a switch and a value, and the name under which an INI file states the value.
+/// INI names of on/off settings whose option can also state a value, each with the INI name of the setting for that
+/// value.
 const NAMES_OF_VALUES: &[(&str, &str)] = &[
     ("Antialias", "Antialias_Threshold"),
     ("Bounding", "Bounding_Threshold"),

@@ -32,7 +32,7 @@ impl<'s> Files<'s> {
     ///
     /// # Errors
     /// E0235 if the file is not below the folder of the outermost INI file.
-    pub fn check_named(&self, path: &Path, span: Span) -> Result<()> {
+    pub fn check_ini_may_name(&self, path: &Path, span: Span) -> Result<()> {
         let Some((outermost, _)) = self.open.first().filter(|_| self.untrusted) else { return Ok(()) };
         let folder = outermost.parent().unwrap_or(Path::new("."));
         if !path.exists() || path.canonicalize().is_ok_and(|path| path.starts_with(folder)) {
@@ -46,7 +46,7 @@ impl<'s> Files<'s> {
     pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
         let path = self.path_beside_ini(&with_ini_extension(name), Path::is_file);
-        self.check_named(&path, span)?;
+        self.check_ini_may_name(&path, span)?;
         let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
         if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
             let d = Diagnostic::new(codes::INI_LOOP, span, format!("`{word}` is being read already"));

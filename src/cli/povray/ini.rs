@@ -44,7 +44,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
         let line = reader.trimmed(line);
         if !text[line.clone()].starts_with('[') {
             if wanted {
-                reader.line(line);
+                reader.read_line(line);
             }
             continue;
         }
@@ -105,7 +105,7 @@ impl Reader<'_> {
     }
 
     /// Reads words up to the end of the line, a comment, or a setting.
-    fn line(&mut self, line: Range<usize>) {
+    fn read_line(&mut self, line: Range<usize>) {
         let mut at = line.start;
         loop {
             let rest = &self.text[at..line.end];
@@ -116,7 +116,7 @@ impl Reader<'_> {
             }
             let name = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
             if name > 0 && rest[name..].trim_start().starts_with('=') {
-                return self.setting(at..at + name, line.end);
+                return self.read_setting(at..at + name, line.end);
             }
             let end = self.word_end(at, line.end);
             let range = at..end;
@@ -127,7 +127,7 @@ impl Reader<'_> {
     }
 
     /// Reads an INI line of the form `Name = value`.
-    fn setting(&mut self, name: Range<usize>, line_end: usize) {
+    fn read_setting(&mut self, name: Range<usize>, line_end: usize) {
         let after = &self.text[name.end..line_end];
         let equals = name.end + after.find('=').unwrap_or(0) + 1;
         let rest = &self.text[equals..line_end];

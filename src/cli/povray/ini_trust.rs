@@ -10,7 +10,7 @@ impl Translation<'_> {
     ///
     /// # Errors
     /// E0235 if the name of the picture or of the radiosity's file, or of one of their folders, begins with a dot.
-    pub(super) fn is_refused_in_ini(
+    pub(super) fn is_ignored_in_ini(
         &mut self,
         row: &Row,
         text: &str,

@@ -238,7 +238,9 @@ impl<'s> Translation<'s> {
     /// Sets the scene to render, unless a later word names another one.
     fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
         let scene = self.files.scene_path(name);
-        self.files.check_named(Path::new(&find_scene_file(scene.clone())), origin.value).map_err(|fault| *fault)?;
+        self.files
+            .check_ini_may_name(Path::new(&find_scene_file(scene.clone())), origin.value)
+            .map_err(|fault| *fault)?;
         let is_as_named = scene == name && !self.files.is_untrusted();
         self.settings.scene_folder = Path::new(name).parent().filter(|_| is_as_named).unwrap_or(Path::new("")).into();
         self.settings.input = Some(scene);
@@ -270,7 +272,7 @@ impl<'s> Translation<'s> {
         if let Some(needs) = needs {
             return Err(wrong_value_error(text, &format!("it needs {needs}"), origin));
         }
-        if self.is_refused_in_ini(row, text, value, origin)? {
+        if self.is_ignored_in_ini(row, text, value, origin)? {
             return Ok(());
         }
         self.named.add(row, value, on);

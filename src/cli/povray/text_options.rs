@@ -60,13 +60,13 @@ impl Translation<'_> {
             let message = "`Create_Ini` has no effect: a command of durer writes no INI file";
             self.idle.push(Diagnostic::new(codes::OPTION_IGNORED, Span::NONE, message));
         }
-        self.warn_of_printed(
+        self.warn_streams_stay_printed(
             silent.into_iter().filter(|(stream, _)| [Stream::Debug, Stream::Warning].contains(stream)),
         );
     }
 
     /// Warns that streams are printed although an option turns them off.
-    fn warn_of_printed(&mut self, streams: impl Iterator<Item = (Stream, Span)>) {
+    fn warn_streams_stay_printed(&mut self, streams: impl Iterator<Item = (Stream, Span)>) {
         for (stream, at) in streams {
             let message = format!("POV-Ray's {} text is printed all the same", stream.name());
             self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, at, message).help("`-GA` prints errors alone"));
@@ -75,7 +75,7 @@ impl Translation<'_> {
 
     /// Returns the text output of POV-Ray's command line.
     fn povray_text_output(&mut self, files: Vec<(Stream, String, Span)>, silent: Vec<(Stream, Span)>) -> TextOutput {
-        self.warn_of_printed(silent.iter().copied().filter(|(stream, _)| *stream == Stream::Fatal));
+        self.warn_streams_stay_printed(silent.iter().copied().filter(|(stream, _)| *stream == Stream::Fatal));
         let silent = silent.into_iter().map(|(stream, _)| stream).collect();
         if self.files.is_untrusted() {
             for (_, name, at) in files {

@@ -75,10 +75,10 @@ impl TextFiles {
     /// E0004 if a file cannot be created, or if its name belongs to a file of another origin.
     pub fn create(output: &TextOutput) -> Result<Self> {
         if let Some((path, text)) = &output.ini {
-            let mut file = open_own(path, false)?;
+            let mut file = open_own_file(path, false)?;
             file.write_all(text.as_bytes()).map_err(|error| unwritable(path, &error))?;
         }
-        let open = |(stream, path): &(Stream, PathBuf)| Ok((*stream, open_own(path, output.appends)?));
+        let open = |(stream, path): &(Stream, PathBuf)| Ok((*stream, open_own_file(path, output.appends)?));
         output.files.iter().map(open).collect::<Result<_>>().map(Self)
     }
 
@@ -98,12 +98,12 @@ impl TextFiles {
 
 /// First line of the text files and INI files that durer writes, as a comment of INI files. Only files with this line
 /// are replaced.
-fn first_line() -> String {
+fn ownership_mark_line() -> String {
     format!("; {BANNER}")
 }
 
 /// Creates a file, or opens one that durer wrote before, and writes the first line.
-fn open_own(path: &Path, appends: bool) -> Result<File> {
+fn open_own_file(path: &Path, appends: bool) -> Result<File> {
     let is_hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
     if is_hidden {
         return Err(foreign_file_error(path).into());
@@ -115,8 +115,8 @@ fn open_own(path: &Path, appends: bool) -> Result<File> {
     };
     let prepare = |file: &mut File| -> io::Result<bool> {
         let mut start = vec![];
-        file.take(first_line().len() as u64).read_to_end(&mut start)?;
-        let is_own = start == first_line().as_bytes();
+        file.take(ownership_mark_line().len() as u64).read_to_end(&mut start)?;
+        let is_own = start == ownership_mark_line().as_bytes();
         if !is_own && !start.is_empty() {
             return Ok(false);
         }
@@ -126,7 +126,7 @@ fn open_own(path: &Path, appends: bool) -> Result<File> {
         }
         file.set_len(0)?;
         file.seek(SeekFrom::Start(0))?;
-        file.write_all(first_line().as_bytes())?;
+        file.write_all(ownership_mark_line().as_bytes())?;
         Ok(true)
     };
     match prepare(&mut file) {
@@ -163,10 +163,10 @@ mod tests {
             TextFiles::create(&output("all.txt", appends)).unwrap().write(Stream::Warning, text);
             std::fs::read_to_string(path("all.txt")).unwrap()
         };
-        assert_eq!(write(false, "one\n"), first_line() + "one\n");
-        assert_eq!(write(false, "two\n"), first_line() + "two\n");
-        assert_eq!(write(true, "three\n"), first_line() + "two\nthree\n");
-        assert_eq!(std::fs::read_to_string(path("debug.out")).unwrap(), first_line());
+        assert_eq!(write(false, "one\n"), ownership_mark_line() + "one\n");
+        assert_eq!(write(false, "two\n"), ownership_mark_line() + "two\n");
+        assert_eq!(write(true, "three\n"), ownership_mark_line() + "two\nthree\n");
+        assert_eq!(std::fs::read_to_string(path("debug.out")).unwrap(), ownership_mark_line());
         std::fs::write(path("notes.txt"), "mine").unwrap();
         for name in ["notes.txt", ".hidden", "nowhere/all.txt"] {
             assert!(TextFiles::create(&output(name, false)).is_err(), "{name}");

@@ -5,7 +5,7 @@ use crate::advice::Circumstances;
 use crate::cli::animation::Animation;
 use crate::cli::args::values::{Bytes, Seconds, Stats};
 use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, Outside, ProgressDisplay, RenderArgs};
-use crate::cli::exit::{self, Result, usage};
+use crate::cli::exit::{self, Result, usage_error};
 use crate::cli::overlay::Invocation;
 use crate::cli::shard::scheduler::{self, Resolved};
 use crate::cli::{memory, session};
@@ -158,7 +158,7 @@ impl Config {
 fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Resolved>> {
     let Some(choice) = args.shard else { return Ok(None) };
     if target.file().is_none() {
-        return usage("`--shard` writes a file beside the picture: name the picture's file with `-o`");
+        return usage_error("`--shard` writes a file beside the picture: name the picture's file with `-o`");
     }
     let resolved = scheduler::resolve(choice, environment_variable)?;
     exit::request_retry_on_term();
@@ -175,7 +175,7 @@ fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Optio
     Ok(match (args.frames, animation) {
         (Some(frames), Some(animation)) if !animation.has(frames.first) || !animation.has(frames.last) => {
             let (first, last) = (animation.first, animation.end);
-            return usage(format!(
+            return usage_error(format!(
                 "`--frames` asks for frames that do not exist: the animation goes from {first} to {last}"
             ));
         }
@@ -207,7 +207,7 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
 /// Returns the destination of the picture; an error if the picture does not fit into memory.
 fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> {
     if args.dump.is_none() {
-        memory::check_size(args.scene.size())?;
+        memory::check_pixel_count(args.scene.size())?;
         if args.scene.is_untrusted() {
             memory::check_pixels(args.scene.size(), MAX_UNTRUSTED_PIXELS)?;
         }
@@ -226,14 +226,14 @@ fn check_stdout(input: &std::path::Path, args: &RenderArgs, target: &Target, is_
         return Ok(());
     }
     if args.stats == Some(Stats::Json) || args.dump.is_some() {
-        return usage("standard output can't take both the picture and `--stats json` or `--dump`");
+        return usage_error("standard output can't take both the picture and `--stats json` or `--dump`");
     }
     if is_animated && args.scene.frame.is_none() {
         target.check_takes_many_frames()?;
     }
     if std::io::stdout().is_terminal() {
         let input = input.display();
-        return usage(format!(
+        return usage_error(format!(
             "a picture is not written to a terminal; send it to a file or a program: `durer render {input} -o - > picture.png`"
         ));
     }

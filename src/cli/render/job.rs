@@ -149,7 +149,7 @@ impl<'a> Job<'a> {
         let now = begun.as_ref().filter(|begun| begun.is_current(&options, &self.common_files));
         let now = now.and_then(|begun| begun.work.now);
         let built = self.build(timing, cancel, now);
-        let is_other = begun.is_some_and(|begun| self.work(timing).difference_reason(&begun.work).is_some());
+        let is_other = begun.is_some_and(|begun| self.picture_inputs(timing).difference_reason(&begun.work).is_some());
         // A picture that is rendered anew belongs to the present.
         if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
@@ -170,7 +170,7 @@ impl<'a> Job<'a> {
     }
 
     /// Returns the identity of a picture's render, after its scene has been built.
-    fn work(&self, timing: Timing) -> Work {
+    fn picture_inputs(&self, timing: Timing) -> Work {
         let mut files = self.common_files.clone();
         files.extend(self.sources.read_files());
         Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.now_if_used() }
@@ -179,7 +179,7 @@ impl<'a> Job<'a> {
     /// Returns the description of a shard, after its scene has been built.
     fn header(&self, target: &Target, shard: Shard, timing: Timing) -> Header {
         let (reading, drawing) = (self.config.reading(timing), self.config.drawing(timing));
-        let identity = Identity::new(&self.config.input, &reading, &drawing, &self.work(timing));
+        let identity = Identity::new(&self.config.input, &reading, &drawing, &self.picture_inputs(timing));
         Header { identity, layout: Layout::new(&drawing, shard.count), encoding: target.encoding(), shard }
     }
 
@@ -263,7 +263,7 @@ impl<'a> Job<'a> {
         monitor.journal = journal.cloned();
         let mut saver = LightSaver::new(config.sandbox().clone());
         if let Some(journal) = journal {
-            journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
+            journal::begin(console, journal, self.picture_inputs(timing), config.resume, config.keep_after);
             if config.prepared.is_none() {
                 saver.use_journal(journal, world, &drawing, config.keep_after);
             }
@@ -272,7 +272,7 @@ impl<'a> Job<'a> {
         let partial = journal.zip(target.file()).map(|(journal, file)| {
             let (size, conversion) = ([drawing.width, drawing.height], OutputConversion::new(world, &drawing));
             let partial = PartialPicture::new(journal, file, size, pixels, conversion);
-            StatusTask::begin(move || print_message(&partial.write_and_describe()))
+            StatusTask::register(move || print_message(&partial.write_and_describe()))
         });
         let rendered = self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
             journal.and_then(|journal| journal::close_with_note(journal)).iter().for_each(|note| console.info(note));
@@ -298,7 +298,7 @@ impl<'a> Job<'a> {
         finished: Option<&FinishedFrames>,
     ) {
         if let (Some(finished), Some(picture)) = (finished, target.file()) {
-            let mut work = self.work(timing);
+            let mut work = self.picture_inputs(timing);
             work.options += &target.encoding_options();
             finished.add(timing.frame, picture, Begun::new(work), journal.is_some_and(Journal::is_written));
         }
@@ -316,7 +316,7 @@ impl<'a> Job<'a> {
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
         let journal = self.lock(target)?;
-        let _cleanup = journal.clone().map(|journal| Cleanup::begin(early_exit_handler(journal, console.quiet)));
+        let _cleanup = journal.clone().map(|journal| Cleanup::register(early_exit_handler(journal, console.quiet)));
         let (token, overrun) = match &config.cancel {
             Some(token) => (token.clone(), Overrun::Continues),
             None => {
@@ -332,10 +332,10 @@ impl<'a> Job<'a> {
             return Ok(Exit::Fine);
         }
         let mut world = session::report_and_take_world(console, self.sources, &mut built)?;
-        let warnings = light_files::add_option_files(&mut world, config, self.sources);
+        let warnings = light_files::apply_radiosity_file_options(&mut world, config, self.sources);
         self.advise(warnings);
         if let Some(path) = config.prepared.as_ref().filter(|_| config.dump.is_none()) {
-            light_files::add_prepared(&mut world, path, &config.drawing(timing))?;
+            light_files::use_prepared_light(&mut world, path, &config.drawing(timing))?;
         }
         match config.dump {
             Some(Dump::Scene) => return self.dump(&built.scene),

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 
 /// Loads the radiosity samples of `--load-radiosity`, and sets the destination of `--save-radiosity`. The options have no
 /// effect on a scene without radiosity. Returns warnings about the loaded file.
-pub fn add_option_files(world: &mut World, config: &Config, sources: &Sources) -> Vec<Diagnostic> {
+pub fn apply_radiosity_file_options(world: &mut World, config: &Config, sources: &Sources) -> Vec<Diagnostic> {
     let Some(radiosity) = &mut world.radiosity else { return vec![] };
     if let Some(path) = &config.save_radiosity {
         radiosity.saved.save = Some(SaveFile { kind: LightKind::Radiosity, path: path.clone(), source: Span::NONE });
@@ -40,7 +40,7 @@ pub fn add_option_files(world: &mut World, config: &Config, sources: &Sources) -
 ///
 /// # Errors
 /// E0020 if the file was prepared for another picture; E0003 for an unreadable or damaged file.
-pub fn add_prepared(world: &mut World, path: &Path, options: &render::Options) -> Result<()> {
+pub fn use_prepared_light(world: &mut World, path: &Path, options: &render::Options) -> Result<()> {
     let name = path.to_string_lossy();
     let unreadable = |reason: &str| {
         let text = format!("`{name}` {reason}");
@@ -215,6 +215,6 @@ fn save_to_user_path(path: &Path, kind: LightKind, write: &dyn Fn(&mut dyn Write
 }
 
 fn unsaved_warning(kind: LightKind, path: &Path, source: Span, error: &io::Error) -> Diagnostic {
-    let text = format!("the {} were not saved to `{}`: {}", kind.contents(), path.display(), file::reason(error));
+    let text = format!("the {} were not saved to `{}`: {}", kind.plural_name(), path.display(), file::reason(error));
     Diagnostic::new(codes::UNSAVED_LIGHT, source, text)
 }

@@ -16,7 +16,7 @@ pub mod target;
 use super::animation::Animation;
 use super::args::RenderArgs;
 use super::console::Console;
-use super::exit::{Exit, Failure, Result, usage};
+use super::exit::{Exit, Failure, Result, usage_error};
 use super::inputs::Inputs;
 use super::overlay::Invocation;
 use super::{povray, summary};
@@ -87,18 +87,18 @@ fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mu
 fn check_outputs_differ(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
     if let Some(picture) = inputs.iter().find(|input| Format::from_path(input).is_ok()) {
         let picture = picture.display();
-        return usage(format!("`{picture}` is a picture, not a scene; `-o {picture}` writes the picture to it"));
+        return usage_error(format!("`{picture}` is a picture, not a scene; `-o {picture}` writes the picture to it"));
     }
     let Some(output) = &args.output else {
         return check_output_names(args, inputs);
     };
     if output == Path::new("-") {
-        usage("the pictures of several scenes can't all go to standard output; render them one by one")
+        usage_error("the pictures of several scenes can't all go to standard output; render them one by one")
     } else if is_folder(output) {
         check_output_names(args, inputs)
     } else {
         let output = output.display();
-        usage(format!("the pictures of several scenes can't all go to `{output}`; name a folder: `-o pictures/`"))
+        usage_error(format!("the pictures of several scenes can't all go to `{output}`; name a folder: `-o pictures/`"))
     }
 }
 
@@ -113,7 +113,7 @@ fn check_output_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
         if let Some(other) = target.file().and_then(|file| taken.insert(file.to_path_buf(), input)) {
             let (a, b) = (other.display(), input.display());
             let file = target.file().unwrap_or(Path::new("")).display();
-            return usage(format!(
+            return usage_error(format!(
                 "the pictures of `{a}` and `{b}` would both go to `{file}`; render one of them with `-o` and another name"
             ));
         }

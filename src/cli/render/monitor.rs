@@ -22,7 +22,7 @@ pub struct Monitor<'a> {
     progress: Progress,
     /// Token that ends the rendering.
     cancel: CancelToken,
-    /// True if another program part than the user or a limit can end the rendering, without a message.
+    /// True if another part of the program may cancel the rendering, which is then not reported.
     pub is_silent: bool,
     /// Journal of the picture's finished tiles.
     pub journal: Option<Arc<Journal>>,
@@ -40,7 +40,7 @@ pub trait ReceiveLight: Sync {
 
 impl Watch for Monitor<'_> {
     fn progress(&self, done: usize, total: usize) {
-        self.progress.advance(done, total);
+        self.progress.show_progress(done, total);
     }
 
     fn preparing(&self, pass: &'static str, done: usize, total: usize) {

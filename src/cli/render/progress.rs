@@ -50,9 +50,9 @@ pub struct Printed {
     time: Instant,
 }
 
-/// Percentage after which a new line is printed.
+/// Progress since the last printed line at which the next line is printed, in percent of the picture.
 const LINE_PERCENT: f64 = 5.0;
-/// Time after which a new line is printed.
+/// Time since the last printed line at which the next line is printed, even with less progress.
 const LINE_INTERVAL: Duration = Duration::from_secs(30);
 
 impl LineStyle {
@@ -61,15 +61,14 @@ impl LineStyle {
         match self {
             Self::Plain => format!("{percent:3.0}%, {seconds_left:.0} s left\n"),
             Self::Json => {
-                let line =
-                    json!({ "event": "progress", "percent": tenths(percent), "seconds_left": tenths(seconds_left) });
+                let line = json!({ "event": "progress", "percent": round_to_tenths(percent), "seconds_left": round_to_tenths(seconds_left) });
                 format!("{line}\n")
             }
             Self::OpenJobDescription => format!("openjd_progress: {percent:.1}\n"),
         }
     }
 
-    /// Returns the line about a pass before the picture that is finished.
+    /// Returns the line that states that a preparatory pass, such as the photons, is finished.
     fn pass_finished_line(self, pass: &str) -> String {
         match self {
             Self::Plain => format!("{pass}: finished\n"),
@@ -79,7 +78,7 @@ impl LineStyle {
     }
 }
 
-fn tenths(x: f64) -> f64 {
+fn round_to_tenths(x: f64) -> f64 {
     (10.0 * x).round() / 10.0
 }
 
@@ -120,7 +119,7 @@ impl Progress {
     }
 
     /// Updates the display: `done` of `total` pixels of all passes are finished.
-    pub fn advance(&self, done: usize, total: usize) {
+    pub fn show_progress(&self, done: usize, total: usize) {
         match self {
             Self::Silent => {}
             Self::Bar(bar) => {

@@ -3,7 +3,7 @@
 use super::picture_writer::PictureWriter;
 use crate::cli::args::{DitherMethod, LookArgs, Outside, PackingMethod, RenderArgs};
 use crate::cli::console::Console;
-use crate::cli::exit::{Result, usage};
+use crate::cli::exit::{Result, usage_error};
 use crate::cli::shard::{self, Header, ShardWriter};
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::image_io::{self, Dither, Encoding, Format, Packing};
@@ -60,22 +60,22 @@ impl Target {
         if let Location::File(path) = &location
             && is_same(path, input)
         {
-            return usage(format!("the picture would overwrite the scene `{}`", path.display()));
+            return usage_error(format!("the picture would overwrite the scene `{}`", path.display()));
         }
         if let Location::File(path) = &location
             && snapshot::is_snapshot(path)
         {
             let path = path.display();
-            return usage(format!("`{path}` is a snapshot: only `durer test --accept` writes it"));
+            return usage_error(format!("`{path}` is a snapshot: only `durer test --accept` writes it"));
         }
         if let Some(packing) = args.packing
             && !(format == Format::Exr || format == Format::Tga && packing != PackingMethod::Zip)
         {
             let choices = if format == Format::Tga { "tga has `none` and `rle`" } else { "exr and tga have a choice" };
-            return usage(format!("{} has no such compression: {choices}", format.name()));
+            return usage_error(format!("{} has no such compression: {choices}", format.name()));
         }
         if args.look.alpha && !format.has_alpha() {
-            return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
+            return usage_error(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
         Ok(Self { location, encoding: encoding(args, format, depth), shard: None })
     }
@@ -117,7 +117,7 @@ impl Target {
     /// Checks that the destination takes several pictures. On standard output, only ppm files may follow one another.
     pub fn check_takes_many_frames(&self) -> Result<()> {
         match (&self.location, self.encoding.format) {
-            (Location::Stdout, format) if format != Format::Ppm => usage(format!(
+            (Location::Stdout, format) if format != Format::Ppm => usage_error(format!(
                 "many frames on standard output can't be {}: add `--format ppm`, or name a file: `-o film.png`",
                 format.name()
             )),

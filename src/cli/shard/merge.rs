@@ -3,7 +3,7 @@
 use super::{Layout, ShardFile, parts, shard_of_name};
 use crate::cli::args::MergeArgs;
 use crate::cli::console::Console;
-use crate::cli::exit::{Exit, Failure, Result, usage};
+use crate::cli::exit::{Exit, Failure, Result, usage_error};
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Format, Rows, SIGNATURE_BYTES, begins_like_a_picture};
@@ -22,12 +22,14 @@ pub fn run(console: &Console, args: &MergeArgs) -> Result {
     }
     let paths = if args.shards.is_empty() { shards_beside(&args.picture)? } else { args.shards.clone() };
     let shards = checked_shards(&paths)?;
-    let Some(first) = shards.values().next() else { return usage("no shard was named") };
+    let Some(first) = shards.values().next() else { return usage_error("no shard was named") };
     let (layout, encoding) = (first.header.layout.clone(), first.header.encoding);
     let format = Format::from_path(&args.picture)?;
     if format != encoding.format {
         let (named, stored) = (format.name(), encoding.format.name());
-        return usage(format!("the shards were rendered for a {stored} file, and the picture's name asks for {named}"));
+        return usage_error(format!(
+            "the shards were rendered for a {stored} file, and the picture's name asks for {named}"
+        ));
     }
     let target = Target::of_file(&args.picture, encoding);
     target.check()?;
@@ -75,9 +77,9 @@ fn shards_beside(picture: &Path) -> Result<Vec<PathBuf>> {
     different.sort_unstable();
     different.dedup();
     match &different[..] {
-        [] => usage(format!("there are no shards of `{picture}`: no file is named `{picture}.shard-1-of-…`")),
+        [] => usage_error(format!("there are no shards of `{picture}`: no file is named `{picture}.shard-1-of-…`")),
         [_] => Ok(found.into_iter().map(|(_, path)| path).collect()),
-        [a, b, ..] => usage(format!(
+        [a, b, ..] => usage_error(format!(
             "there are shards of `{picture}` out of {a} and out of {b}; name those to merge: `durer merge {picture} {picture}.shard-*-of-{b}`"
         )),
     }

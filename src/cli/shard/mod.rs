@@ -37,7 +37,7 @@ pub struct Header {
     pub shard: Shard,
 }
 
-/// The pixels of a picture and their division into blocks.
+/// Size of a picture, the region that is rendered, and the division of the region into blocks.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Layout {
     /// Width of the whole picture in pixels.

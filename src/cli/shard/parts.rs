@@ -6,7 +6,7 @@
 
 use super::merge::unusable;
 use crate::cli::console::Console;
-use crate::cli::exit::{Exit, Result, usage};
+use crate::cli::exit::{Exit, Result, usage_error};
 use crate::cli::render::target::Target;
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, codes};
@@ -18,15 +18,15 @@ use std::path::{Path, PathBuf};
 pub fn merge(console: &Console, picture: &Path, parts: &[PathBuf]) -> Result {
     let format = Format::from_path(picture)?;
     if format == Format::Jpg {
-        return usage("jpg files can't be combined without loss; render the parts as png");
+        return usage_error("jpg files can't be combined without loss; render the parts as png");
     }
-    let [first_path, rest @ ..] = parts else { return usage("no picture was named") };
+    let [first_path, rest @ ..] = parts else { return usage_error("no picture was named") };
     let mut whole = Picture::read(&Disk, first_path)?;
     // Index of the picture that each pixel was taken from, for messages
     let mut owners = vec![0; whole.pixels.width * whole.pixels.height];
     for (number, path) in (1..).zip(rest) {
         let part = Picture::read(&Disk, path)?;
-        if !is_alike(&part, &whole) {
+        if !has_same_size_and_kind(&part, &whole) {
             let reason = format!("it has another size or kind of pixels than `{}`", first_path.display());
             return Err(unusable(path, &reason));
         }
@@ -43,7 +43,7 @@ pub fn merge(console: &Console, picture: &Path, parts: &[PathBuf]) -> Result {
 }
 
 /// True if two pictures have the same size and the same kind of pixels.
-fn is_alike(a: &Picture, b: &Picture) -> bool {
+fn has_same_size_and_kind(a: &Picture, b: &Picture) -> bool {
     let kind = |picture: &Picture| {
         let Pixels { width, height, channels, samples } = &picture.pixels;
         (*width, *height, *channels, std::mem::discriminant(samples))

@@ -1,7 +1,7 @@
 //! Schedulers of clusters: the shard and the threads that the environment of a task states.
 
 use crate::cli::args::values::ShardChoice;
-use crate::cli::exit::{Result, usage};
+use crate::cli::exit::{Result, usage_error};
 use crate::render::Shard;
 
 /// A scheduler, and its numbering of the tasks of an array.
@@ -66,7 +66,7 @@ pub fn resolve(choice: ShardChoice, environment_variable: impl Fn(&str) -> Optio
     let number = |name: &str| environment_variable(name).and_then(|text| text.trim().parse::<usize>().ok());
     let Some((scheduler, task)) = SCHEDULERS.iter().find_map(|known| Some((known, number(known.task)?))) else {
         let names: Vec<&str> = SCHEDULERS.iter().map(|scheduler| scheduler.task).collect();
-        return usage(format!(
+        return usage_error(format!(
             "`--shard auto` found no array task in the environment ({}); state the shard: `--shard 3/16`",
             names.join(", ")
         ));
@@ -80,7 +80,7 @@ pub fn resolve(choice: ShardChoice, environment_variable: impl Fn(&str) -> Optio
         TaskRange::From(first, size) => (first, 1, size.and_then(number)),
     };
     let Some(count) = count.or(tasks) else {
-        return usage(format!("{name} does not state the number of tasks; state it: `--shard auto/16`"));
+        return usage_error(format!("{name} does not state the number of tasks; state it: `--shard auto/16`"));
     };
     let offset = task.checked_sub(first).filter(|offset| offset.is_multiple_of(step)).map(|offset| offset / step);
     match offset {
@@ -89,7 +89,7 @@ pub fn resolve(choice: ShardChoice, environment_variable: impl Fn(&str) -> Optio
             let note = format!("shard {} of {count} ({name}: {variable_name}={task})\n", shard.index);
             Ok(Resolved { shard, note: Some(note) })
         }
-        _ => usage(format!("{name}: {variable_name}={task} is not one of {count} tasks that begin at {first}")),
+        _ => usage_error(format!("{name}: {variable_name}={task} is not one of {count} tasks that begin at {first}")),
     }
 }
 

@@ -3,7 +3,7 @@
 //! A line is the BLAKE3 hash of a picture in hexadecimal, two spaces, and the path of the scene from the file's folder, as `b3sum`
 //! writes it; a line that starts with `#` is a comment.
 
-use crate::cli::exit::{Result, usage};
+use crate::cli::exit::{Result, usage_error};
 use crate::diagnostic::file;
 use crate::image_io::Frame;
 use crate::source::{Disk, Files};
@@ -47,7 +47,9 @@ impl Hashes {
                     hashes.known.insert(name.to_string(), hash.to_string());
                 }
                 _ if line.is_empty() => {}
-                _ => return usage(format!("`{}`: line {} is not a hash and a scene", file.display(), number + 1)),
+                _ => {
+                    return usage_error(format!("`{}`: line {} is not a hash and a scene", file.display(), number + 1));
+                }
             }
         }
         Ok(hashes)

@@ -5,7 +5,7 @@ mod hashes;
 use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
-use super::exit::{Exit, Failure, Result, usage};
+use super::exit::{Exit, Failure, Result, usage_error};
 use super::interrupt::{self, Deadline, DeferredSignals, Overrun};
 use super::memory;
 use super::session;
@@ -71,12 +71,12 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
     for path in paths.iter().filter(|path| !path.is_dir()) {
         session::check_input(path)?;
         if super::povray::is_ini(&path.to_string_lossy()) {
-            return usage(format!("snapshots belong to scenes: name the scene, not `{}`", path.display()));
+            return usage_error(format!("snapshots belong to scenes: name the scene, not `{}`", path.display()));
         }
     }
     let cases = snapshot::find(&Disk, paths).map_err(|e| Box::new(file::unreadable(&Disk, &paths[0], &e.into())))?;
     if cases.is_empty() {
-        return usage("no scene here has a snapshot; `durer test --accept NAME.scene` makes the first one");
+        return usage_error("no scene here has a snapshot; `durer test --accept NAME.scene` makes the first one");
     }
     let setting = Setting { include: args.include.clone(), threads: args.threads.map_or(0, usize::from) };
     let mut hashes = args.hashes.as_deref().map(|file| Hashes::read(file, args.accept)).transpose()?;

@@ -8,7 +8,7 @@ mod worker;
 use super::args::values::Seconds;
 use super::args::{RenderArgs, WatchArgs};
 use super::console::{Console, print_message};
-use super::exit::{Exit, Failure, Result, usage};
+use super::exit::{Exit, Failure, Result, usage_error};
 use super::{interrupt, render, session};
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes, file};
@@ -25,16 +25,16 @@ use worker::Worker;
 pub fn run(console: &Console, args: &WatchArgs) -> Result {
     let input = session::existing_scene_path(&args.input);
     if input == Path::new("-") {
-        return usage("standard input can't be watched; name a file");
+        return usage_error("standard input can't be watched; name a file");
     }
     session::check_input(&input)?;
     if args.output.as_deref() == Some(Path::new("-")) {
-        return usage("standard output can't take a picture that is rendered again and again");
+        return usage_error("standard output can't take a picture that is rendered again and again");
     }
     let args = WatchArgs { input, ..args.clone() };
     // Report an output name without a format at once.
     Target::new(&args.input, &render_args(&args))?;
-    if args.no_page { redraw(console, &args) } else { serve_page(console, &args) }
+    if args.no_page { write_after_each_change(console, &args) } else { serve_page(console, &args) }
 }
 
 /// The arguments of `durer render` for the same picture.
@@ -52,7 +52,7 @@ fn render_args(args: &WatchArgs) -> RenderArgs {
 }
 
 /// Writes the picture file after each change.
-fn redraw(console: &Console, args: &WatchArgs) -> Result {
+fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
     let queue = Arc::new(RenderQueue::default());
     let files = file_watcher(&queue, &args.input);
     let mut worker = Worker::default();

@@ -122,7 +122,7 @@ fn try_read(
     let _deadline = Deadline::start(args.scene.time_limit(), cancel.clone(), Overrun::Continues);
     let built = crate::build_with(&ParsedFiles::default(), sources, file, &options, Keep::World, &mut print);
     out.times = [built.parse_time, built.build_time];
-    out.log.push_str(&session::memory_writes_line(&built).unwrap_or_default());
+    out.log.push_str(&session::files_in_memory_line(&built).unwrap_or_default());
     messages.extend(built.diagnostics);
     Ok((messages, built.world.map(|world| (world, input, args, timing))))
 }
@@ -175,7 +175,7 @@ pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
     let antialias = match options.antialias {
         _ if !settings.antialias => None,
         // The switch of the page overrides `--aa off`.
-        None => render_default(),
+        None => default_antialias_threshold(),
         some => some,
     };
     let options = render::Options { antialias, quality: settings.quality, ..options };
@@ -194,7 +194,7 @@ pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
 /// Largest zoom factor of the preview page.
 const MAX_ZOOM: f64 = 64.0;
 
-fn render_default() -> Option<f64> {
+fn default_antialias_threshold() -> Option<f64> {
     Some(session::DEFAULT_THRESHOLD)
 }
 

@@ -78,7 +78,7 @@ impl RenderLoop {
             let (this, console, files) = (self.clone(), console.clone(), files.clone());
             let (mut new_scene, mut new_state, token) = (scene.clone(), state.clone(), cancel.clone());
             let work = move || {
-                this.work(&console, &files, &mut new_scene, &mut new_state, &token);
+                this.read_and_render(&console, &files, &mut new_scene, &mut new_state, &token);
                 (new_scene, new_state)
             };
             if let Some(done) = worker.run(&cancel, work) {
@@ -89,7 +89,7 @@ impl RenderLoop {
     }
 
     /// Reads the scene unless there is one, and renders it.
-    fn work(
+    fn read_and_render(
         &self,
         console: &Console,
         files: &FileWatcher,

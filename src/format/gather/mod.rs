@@ -32,7 +32,7 @@ impl<'a> Pieces<'a> {
         Self { next: all.next(), all }
     }
 
-    /// Returns the next piece, and advances by one piece.
+    /// Returns the next token or comment of the text, and moves past it.
     fn advance(&mut self) -> Option<Piece> {
         std::mem::replace(&mut self.next, self.all.next())
     }

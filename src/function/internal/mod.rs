@@ -59,7 +59,7 @@ fn call_with_array<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> 
 
 /// Returns a polynomial times its field strength, clamped to the limit of POV-Ray's internal functions, ±10.
 #[inline]
-fn clamp_field(strength: f64, value: f64) -> f64 {
+fn scale_and_clamp_field(strength: f64, value: f64) -> f64 {
     (strength * value).clamp(-10.0, 10.0)
 }
 

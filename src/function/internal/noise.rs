@@ -102,7 +102,9 @@ pub fn max_noise_gradient(generator: &[f64]) -> f64 {
 
 /// Upper bound of the change of the gradient of noise per unit of length, by the number of its generator.
 pub fn max_noise_gradient_change(generator: &[f64]) -> f64 {
-    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient_change())
+    generator
+        .first()
+        .map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient_change_per_unit())
 }
 
 /// Bounds of the internal functions of noise: 0 to 1.

@@ -2,7 +2,7 @@
 //! `…_2d` functions and the four algebraic cylinders. Sources: J. D. Lawrence, "A Catalog of Special Plane Curves"
 //! (1972) and MathWorld under the curve's name (weights of the parameters; quirk: `internal_functions`).
 
-use super::{clamp_field, clamp_symmetrically};
+use super::{clamp_symmetrically, scale_and_clamp_field};
 use crate::math::fp;
 
 /// Maps a point to the plane of a curve that is extruded or swept. For a swept curve, x is the distance from the y axis
@@ -51,43 +51,43 @@ pub fn f_algbr_cyl4([x, y, z, strength, limit, sor, offset, degrees]: [f64; 8]) 
 pub fn f_devils_curve_2d([x, y, z, strength, a, b, sor, offset, degrees]: [f64; 9]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
     let (x2, y2) = (x * x, y * y);
-    clamp_field(strength, y2 * (y2 - b * b) - x2 * (x2 - a * a))
+    scale_and_clamp_field(strength, y2 * (y2 - b * b) - x2 * (x2 - a * a))
 }
 
 /// Internal function `f_folium_surface_2d`: y² (1 + (b - 4 a) x) + (1 + b) x² = 0, a folium.
 pub fn f_folium_surface_2d([x, y, z, strength, a, b, sor, offset, degrees]: [f64; 9]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
-    clamp_field(-strength, y * y * (1.0 + (b - 4.0 * a) * x) + (1.0 + b) * x * x)
+    scale_and_clamp_field(-strength, y * y * (1.0 + (b - 4.0 * a) * x) + (1.0 + b) * x * x)
 }
 
 /// Internal function `f_kampyle_of_eudoxus_2d`: y² = b² (x⁴ - a b x²), the kampyle of Eudoxus.
 pub fn f_kampyle_of_eudoxus_2d([x, y, z, strength, a, b, sor, offset, degrees]: [f64; 9]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
     let x2 = x * x;
-    clamp_field(strength, b * b * x2 * (x2 - a * b) - y * y)
+    scale_and_clamp_field(strength, b * b * x2 * (x2 - a * b) - y * y)
 }
 
 /// Internal function `f_lemniscate_of_gerono_2d`: y² = b² (a² x² - x⁴), the eight curve or lemniscate of Gerono.
 pub fn f_lemniscate_of_gerono_2d([x, y, z, strength, a, b, sor, offset, degrees]: [f64; 9]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
     let x2 = x * x;
-    clamp_field(strength, b * b * x2 * (a * a - x2) - y * y)
+    scale_and_clamp_field(strength, b * b * x2 * (a * a - x2) - y * y)
 }
 
 /// Internal function `f_piriform_2d`: y² = c² x³ (a + b x), the piriform.
 pub fn f_piriform_2d([x, y, z, strength, a, b, c, sor, offset, degrees]: [f64; 10]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
-    clamp_field(strength, c * c * x * x * x * (a + b * x) - y * y)
+    scale_and_clamp_field(strength, c * c * x * x * x * (a + b * x) - y * y)
 }
 
 /// Internal function `f_strophoid_2d`: (b - x) y² = c² x² (x + a), the strophoid.
 pub fn f_strophoid_2d([x, y, z, strength, a, b, c, sor, offset, degrees]: [f64; 10]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
-    clamp_field(strength, (x - b) * y * y + c * c * x * x * (x + a))
+    scale_and_clamp_field(strength, (x - b) * y * y + c * c * x * x * (x + a))
 }
 
 /// Internal function `f_witch_of_agnesi_2d`: y (x² + a²) = b, the witch of Agnesi.
 pub fn f_witch_of_agnesi_2d([x, y, z, strength, a, b, sor, offset, degrees]: [f64; 9]) -> f64 {
     let (x, y) = curve_plane_point([x, y, z], [sor, offset, degrees]);
-    clamp_field(strength, b - y * (x * x + a * a))
+    scale_and_clamp_field(strength, b - y * (x * x + a * a))
 }

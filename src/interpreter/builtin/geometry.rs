@@ -39,7 +39,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Evaluates `min_extent(Object)` or `max_extent(Object)`: corners of the object's bounding box.
-    pub(super) fn pov_bounds(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
+    pub(super) fn extent_corner(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
         let pov_bounds = self.object_argument(object)?.pov_bounds();
         Ok(Value::Vector(if max { pov_bounds.max } else { pov_bounds.min }.into()))
     }

@@ -152,7 +152,7 @@ impl<'a> Interpreter<'a> {
             Function::Numeric(row) => {
                 check_count(name, &numeric::arity(row), found, span)?;
                 if let (Domain::Divides, Some((Value::Float(0.0), at))) = (row.domain, arguments.values.last()) {
-                    self.division_by_zero(*at);
+                    self.report_division_by_zero(*at);
                 }
                 numeric::compute(row, &arguments)
             }

@@ -79,14 +79,14 @@ pub(super) const TABLE: &[Special] = &[
         usage: "(Object)",
         summary: "the corner of the box around it with the smallest x, y and z",
         arity: 1..=1,
-        run: |me, a, _| me.pov_bounds(&a[0], false),
+        run: |me, a, _| me.extent_corner(&a[0], false),
     },
     Special {
         name: "max_extent",
         usage: "(Object)",
         summary: "the opposite corner",
         arity: 1..=1,
-        run: |me, a, _| me.pov_bounds(&a[0], true),
+        run: |me, a, _| me.extent_corner(&a[0], true),
     },
     Special {
         name: "seed",

@@ -22,14 +22,14 @@ impl<'a> Interpreter<'a> {
             Head::Whole(e) if !self.evaluator.must_split(e) => self.evaluate_number(e),
             Head::Whole(e) => {
                 let elements = self.inputs.as_single_element(e);
-                self.read_number_within(elements, e.span)
+                self.read_parenthesized_number(elements, e.span)
             }
-            Head::Pieces(Some(elements)) => self.read_number_within(elements, span),
+            Head::Pieces(Some(elements)) => self.read_parenthesized_number(elements, span),
             Head::Pieces(None) => Err(self.syntax_error_at(span).into()),
         }
     }
 
-    fn read_number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
+    fn read_parenthesized_number(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
         let number = self.read_contents(elements, Bracket::Paren, span, |me| {
             let (value, at) = me.read_expression(true)?;
             as_float(&value, at)

@@ -14,7 +14,7 @@ use std::rc::Rc;
 /// Target of a `#declare` or `#local` directive.
 struct Declared {
     symbol: Symbol,
-    /// Level that the prefix `local.` or `global.` (3.8) names; `None` without a prefix.
+    /// Scope level that the prefix `local.` or `global.` (3.8) selects; `None` without a prefix.
     level: Option<u32>,
     /// Location of the array element that is declared; `None` if the name itself is.
     lvalue: Option<LValue>,
@@ -34,7 +34,7 @@ impl<'a> Interpreter<'a> {
         if declare.others.is_empty()
             && target.indices.is_empty()
             && declare.deprecated.is_none()
-            && let Some(x) = self.number_statement()
+            && let Some(x) = self.take_number_and_semicolon()
         {
             let slot = Slot::Value(Value::Float(x));
             match declare.local {
@@ -83,7 +83,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
-        self.pop_spent();
+        self.pop_spent_frames();
         let deprecated = self.read_deprecated()?;
         if let Some(ElementKind::Expr(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Paren))) =
             self.stream.next_raw_element().map(|e| &e.kind)
@@ -99,7 +99,7 @@ impl<'a> Interpreter<'a> {
                 targets.push(self.read_target(span)?);
             }
             self.close("`)`")?;
-            self.expect_equal()?;
+            self.expect_equals_sign()?;
             let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
                 self.bind(local, &target, slot, vec![]);
@@ -108,11 +108,11 @@ impl<'a> Interpreter<'a> {
         }
         if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_raw_element() {
             self.stream.advance();
-            self.expect_equal()?;
+            self.expect_equals_sign()?;
             return self.refuse_reserved_name(word.name, *span);
         }
         let declared = self.read_target(span)?;
-        self.expect_equal()?;
+        self.expect_equals_sign()?;
         self.refuse_semicolon_as_value(declared.symbol)?;
         self.declare_one(local, deprecated, declared)
     }
@@ -149,15 +149,16 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the target of a declaration: a name, perhaps with indices.
     fn read_target(&mut self, directive: Span) -> Result<Declared> {
-        self.pop_spent();
+        self.pop_spent_frames();
         // A `declare A = 3` without `#` was parsed as a comparison.
-        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_comparison())
+        {
             self.stream.split_next_element();
         }
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name_error(directive)) };
         let text = self.inputs.names.text(symbol);
         if let Some(word) = word::reserved(text) {
-            self.expect_equal()?;
+            self.expect_equals_sign()?;
             self.refuse_reserved_name(word, span)?;
         }
         if let Some(level) = self.evaluator.level_of_prefix(symbol)
@@ -194,7 +195,7 @@ impl<'a> Interpreter<'a> {
         self.syntax_error_at(at).into()
     }
 
-    fn expect_equal(&mut self) -> Result<()> {
+    fn expect_equals_sign(&mut self) -> Result<()> {
         match self.stream.next_raw_element().map(|e| &e.kind) {
             Some(ElementKind::Punctuation(Punctuation::Operator(Operator::Equal))) => {
                 self.stream.advance();
@@ -297,7 +298,7 @@ impl<'a> Interpreter<'a> {
     }
 
     pub fn run_undef(&mut self, span: Span) -> Result<()> {
-        self.pop_spent();
+        self.pop_spent_frames();
         // The name is removed before anything after it runs, and a macro's name is not called.
         let next = self.stream.innermost().and_then(StackFrame::element_after_next).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Punctuation(_)))

@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn open_to_read(&mut self, name: &str, span: Span) -> Result<OpenFile> {
-        let Some(path) = self.find_read_file(name, span)? else {
+        let Some(path) = self.find_readable_file(name, span)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
             let folders: Vec<String> =
                 self.inputs.options.search.folders.iter().map(|f| format!("`{}`", f.display())).collect();
@@ -162,7 +162,7 @@ impl<'a> Interpreter<'a> {
         (0..self.open_files.len()).for_each(|index| self.close_file_at(index, self.open_files[index].span));
     }
 
-    fn open_file_index(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
+    fn index_of_open_file(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::File(index)) => Ok(*index),
             Some(Slot::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
@@ -180,7 +180,7 @@ impl<'a> Interpreter<'a> {
         let Some((file, at)) = self.read_name()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
         };
-        let index = self.open_file_index(file, at)?;
+        let index = self.index_of_open_file(file, at)?;
         let mut more = true;
         while !self.peek()?.is_closer_or_end() {
             let target = self.read_argument()?;
@@ -244,7 +244,7 @@ impl<'a> Interpreter<'a> {
     pub fn run_write(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
         let index = match self.read_name()? {
-            Some((symbol, at)) => self.open_file_index(symbol, at)?,
+            Some((symbol, at)) => self.index_of_open_file(symbol, at)?,
             None => return Err(self.unexpected_token("an open file").into()),
         };
         // Binary format of the values up to the next comma. A comma directly after the word cancels it.

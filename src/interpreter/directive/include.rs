@@ -22,9 +22,9 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.reporter.limit_error(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let (path, ast) = match self.find_read_file(text, name)? {
+        let (path, ast) = match self.find_readable_file(text, name)? {
             Some(path) => (path.clone(), self.load(&path, text, name)?),
-            None => match library::find_builtin(text) {
+            None => match library::builtin_file_text(text) {
                 Some(built_in) => self.load_built_in(text, built_in, name)?,
                 None => return Err(self.missing_include_error(text, name).into()),
             },
@@ -36,7 +36,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Finds a file that the scene names; `None` if it does not exist, an error if the scene may not read it.
-    pub fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
+    pub fn find_readable_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
         let including = self.stream.include_paths().last().map(PathBuf::as_path);
         // The name as typed: in `"C:\new\shapes.inc"`, `\n` is no line feed.
         let typed = self.inputs.sources.snippet(span);
@@ -112,7 +112,7 @@ impl<'a> Interpreter<'a> {
     /// Parses a text that [`crate::source::Sources`] holds.
     pub fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
         if let Some(ast) = self.inputs.parsed.tree(file) {
-            self.stream.add_unclosed(ast);
+            self.stream.add_unclosed_brackets(ast);
             return Ok(ast);
         }
         let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.granularity);
@@ -122,7 +122,7 @@ impl<'a> Interpreter<'a> {
             self.reporter.defer(std::mem::take(&mut faults));
         }
         let Some(mut last) = faults.pop() else {
-            self.stream.add_unclosed(&ast);
+            self.stream.add_unclosed_brackets(&ast);
             return Ok(self.inputs.parsed.add_tree(file, ast));
         };
         for fault in faults {

@@ -19,7 +19,8 @@ impl<'a> Evaluator<'a> {
         self.scopes.dictionary(&lvalue).is_some()
     }
 
-    /// Returns the location that the expression `base.key` names; `None` if `lvalue` is not the dictionary `base`.
+    /// Returns the location of the element `key` of the dictionary at `lvalue`, for the expression `base.key`; `None`
+    /// for another expression, or without a dictionary at `lvalue`.
     pub fn dictionary_element(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
         let Some(dictionary) = self.scopes.dictionary(lvalue) else { return Ok(None) };

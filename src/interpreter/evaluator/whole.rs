@@ -5,7 +5,8 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl Evaluator<'_> {
-    /// True if an expression must be split into tokens, because a macro in it produces tokens or a call in it is none.
+    /// True if an expression must be split into tokens: because it calls a macro, or because the name before a
+    /// parenthesis is not that of a function.
     #[inline]
     pub fn must_split(&self, e: &Expr) -> bool {
         e.calls && self.call_must_split(e)
@@ -40,7 +41,7 @@ impl Evaluator<'_> {
         match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Name(name) => self.is_macro(*name),
-                _ => e.compares() || self.must_split(e),
+                _ => e.has_bare_comparison() || self.must_split(e),
             },
             ElementKind::Numbers(_) => false,
             // `cubic_spline` in the call of a spline.
@@ -55,7 +56,9 @@ impl Evaluator<'_> {
         match &e.kind {
             ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
-            ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.must_split(e),
+            ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => {
+                !e.has_bare_comparison() && !self.must_split(e)
+            }
             ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.must_split(e),
             _ => false,
         }

@@ -79,7 +79,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the contents of a pigment block as a pattern whose value is the pigment's brightness. The default pigment
     /// is ignored (quirk: `pigment_function_ignores_default`).
-    pub(super) fn read_brightness(&mut self) -> Result<Arc<dyn Thing>> {
+    pub(super) fn read_pigment_brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))
@@ -327,12 +327,12 @@ impl<'a> Interpreter<'a> {
                 return Ok((Callee::Sampler(spline), gives, 1));
             }
         }
-        let text = self.called_text(span);
+        let text = self.called_name_text(span);
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"))
     }
 
     /// Returns the name at the start of a call's span.
-    fn called_text(&self, span: Span) -> &'a str {
+    fn called_name_text(&self, span: Span) -> &'a str {
         let text = self.inputs.sources.snippet(span);
         text.split('(').next().unwrap_or(text).trim_end()
     }
@@ -341,14 +341,14 @@ impl<'a> Interpreter<'a> {
         if found == wanted {
             return Ok(());
         }
-        let name = self.called_text(called);
+        let name = self.called_name_text(called);
         let plural = if wanted == 1 { "" } else { "s" };
         let message = format!("function `{name}` takes {wanted} argument{plural}, found {found}");
         Diagnostic::err(codes::WRONG_COUNT, called, message)
     }
 
     fn select_component(&self, gives: ResultType, component: Option<&Name>, span: Span) -> Result<Component> {
-        let text = self.called_text(span);
+        let text = self.called_name_text(span);
         let Some(component) = component else {
             return match gives {
                 ResultType::Number => Ok(Component::Of(0)),

@@ -87,7 +87,7 @@ impl<'a> Interpreter<'a> {
                 }
             };
         };
-        let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
+        let size = [self.checked_picture_side(width, at)?, self.checked_picture_side(height, end)?];
         self.reporter.check_picture_memory(size, joined_span_if_near(at, end))?;
         Ok(Some(size))
     }
@@ -105,7 +105,7 @@ impl<'a> Interpreter<'a> {
             return Err(self.unexpected_token("an expression").into());
         }
         let result = match self.peek()? {
-            Token::Expr(e) if self.next_is_complete(true) => {
+            Token::Expr(e) if self.next_value_is_complete(true) => {
                 self.stream.advance();
                 self.compile(&mut compiler, e)?
             }

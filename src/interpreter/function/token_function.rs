@@ -54,7 +54,7 @@ impl<'a> Interpreter<'a> {
             return match token {
                 Token::Expr(e) => match &e.kind {
                     // A component may follow the call.
-                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.next_is_complete(true) => {
+                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.next_value_is_complete(true) => {
                         self.stream.split_next_element();
                         continue;
                     }
@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
         let mut whole = joined_span_if_near(span, self.stream.next_span());
         self.close("`)`")?;
         let mut component: Option<Name> = None;
-        if matches!(self.peek_after()?, Some(Token::Punctuation(Punctuation::Dot))) {
+        if matches!(self.peek_after_value()?, Some(Token::Punctuation(Punctuation::Dot))) {
             self.stream.advance();
             let name = self.component_name()?;
             whole = joined_span_if_near(whole, name.span);

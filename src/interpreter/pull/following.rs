@@ -9,7 +9,7 @@ use crate::syntax::{begins_with_parenthesis, begins_with_sign};
 impl<'a> Interpreter<'a> {
     /// True if the expression or list that comes next is complete, because no following token can continue it. No
     /// directive or macro runs for the test. Where comparisons are allowed (`compares`), a `>` continues a value.
-    pub fn next_is_complete(&self, compares: bool) -> bool {
+    pub fn next_value_is_complete(&self, compares: bool) -> bool {
         let Some((frame, outer)) = self.stream.frames().split_last() else { return true };
         let Some(element) = frame.next().filter(|_| !self.stream.has_pushed_back()) else { return false };
         if let ElementKind::Numbers(list) = &element.kind
@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the token directly after the value that was just read. `None` after a comma, before a `;` or the end of
     /// the file, and before a directive or macro call that must wait ([`super::Mode::defers`]).
-    pub fn peek_after(&mut self) -> Result<Option<Token<'a>>> {
+    pub fn peek_after_value(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.look_ahead().is_some() {
                 return if self.stream.has_comma() { Ok(None) } else { self.peek().map(Some) };
@@ -99,8 +99,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the token that may continue the value just read; [`Token::End`] if [`Self::peek_after`] returns none.
+    /// Returns the token that may continue the value just read; [`Token::End`] if [`Self::peek_after_value`] returns none.
     pub fn peek_continuation(&mut self) -> Result<Token<'a>> {
-        Ok(self.peek_after()?.unwrap_or(Token::End))
+        Ok(self.peek_after_value()?.unwrap_or(Token::End))
     }
 }

@@ -98,7 +98,7 @@ impl Interpreter<'_> {
     }
 
     /// Drops the innermost frames of macros, branches and split expressions whose elements are all consumed.
-    pub fn pop_spent(&mut self) {
+    pub fn pop_spent_frames(&mut self) {
         let is_spent = |f: &StackFrame| {
             matches!(f.kind(), FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch) && f.is_spent()
         };

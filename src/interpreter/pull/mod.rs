@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
             if frame.closer().is_some() || matches!(frame.kind(), FrameKind::File) {
                 return Ok(false);
             }
-            self.between_tokens(Self::end_frame_or_loop_pass)?;
+            self.run_and_restore_comma(Self::end_frame_or_loop_pass)?;
             return Ok(true);
         };
         match &element.kind {
@@ -109,11 +109,11 @@ impl<'a> Interpreter<'a> {
             ElementKind::Expr(expr) => match &expr.kind {
                 ExprKind::Call(name, arguments) if self.evaluator.is_macro(*name) => {
                     self.stream.skip_element();
-                    self.between_tokens(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
+                    self.run_and_restore_comma(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
                 }
                 ExprKind::Name(name) if self.evaluator.is_macro(*name) => {
                     self.stream.skip_element();
-                    self.between_tokens(|me| me.call_macro_by_tokens(*name, element.span))?;
+                    self.run_and_restore_comma(|me| me.call_macro_by_tokens(*name, element.span))?;
                 }
                 _ if expr.calls && self.evaluator.must_split(expr) => self.stream.split_next_element(),
                 _ => return Ok(false),
@@ -127,12 +127,13 @@ impl<'a> Interpreter<'a> {
     #[inline]
     fn run_next_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         self.reporter.step(span)?;
-        self.between_tokens(|me| me.run_directive(directive, span))
+        self.run_and_restore_comma(|me| me.run_directive(directive, span))
     }
 
-    /// Runs a directive, a macro call or a loop's condition. A comma before it separates tokens.
+    /// Runs a directive, a macro call or a loop's condition between two tokens. A comma before it still separates these
+    /// two tokens.
     #[inline]
-    fn between_tokens(&mut self, run: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
+    fn run_and_restore_comma(&mut self, run: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
         let comma = self.stream.take_comma();
         run(self)?;
         self.stream.add_comma(comma);

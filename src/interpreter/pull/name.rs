@@ -121,8 +121,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Consumes a number and the `;` after it, if both come next and the fast evaluation suffices.
-    pub fn number_statement(&mut self) -> Option<f64> {
-        let e = self.stream.expression_statement().filter(|e| !e.compares())?;
+    pub fn take_number_and_semicolon(&mut self) -> Option<f64> {
+        let e = self.stream.expression_statement().filter(|e| !e.has_bare_comparison())?;
         let x = self.evaluator.quick_number(e)?;
         self.stream.skip_expression_statement();
         Some(x)

@@ -11,7 +11,7 @@ impl Interpreter<'_> {
     /// Finds and parses a font. A name without an extension is that of a TrueType file or else of an installed family.
     pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
-        let place = match self.find_read_file(&full, at)? {
+        let place = match self.find_readable_file(&full, at)? {
             Some(path) => FontLocation::first_in_file(path),
             None => {
                 match self
@@ -46,11 +46,11 @@ impl Interpreter<'_> {
     }
 
     /// Returns an installed font of this name, or one with a similar design together with a warning.
-    fn substitute_font(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
+    fn substitute_font(&mut self, name: &str, file_name: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
-        let found = fonts::similar(self.inputs.files, name, search);
+        let found = fonts::find_similar(self.inputs.files, name, search);
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
-        if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(full)) {
+        if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(file_name)) {
             return found;
         }
         let what = match file {

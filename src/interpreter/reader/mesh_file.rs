@@ -13,7 +13,7 @@ impl Interpreter<'_> {
     /// Reads the name of a mesh file, and builds the shape with `build`. Each file is read once.
     pub(super) fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
         let (at, name) = (self.span(), self.text()?);
-        let Some(path) = self.find_read_file(&name, at)? else {
+        let Some(path) = self.find_readable_file(&name, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the mesh's file `{name}` was not found"));
             return d
                 .help("mesh files are searched in the same folders as included files; -I DIR adds a folder")

@@ -140,7 +140,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>> {
-        self.read_brightness()
+        self.read_pigment_brightness()
     }
 
     fn float(&mut self) -> Result<f64> {
@@ -289,7 +289,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
-        self.find_read_file(name, at)
+        self.find_readable_file(name, at)
     }
 
     fn open_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Arc<Picture>> {
@@ -338,7 +338,7 @@ impl Interpreter<'_> {
     /// small or capital letters; without a format, that of PNG.
     fn find_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Option<PathBuf>> {
         if name.contains('.') {
-            return self.find_read_file(name, at);
+            return self.find_readable_file(name, at);
         }
         let endings: &[&str] = match format {
             Some("jpeg") => &["jpg", "JPG", "jpeg", "JPEG"],
@@ -349,7 +349,7 @@ impl Interpreter<'_> {
         let names: Vec<String> = endings.iter().map(|ending| format!("{name}.{ending}")).collect();
         let search = &self.inputs.options.search;
         let found = names.iter().find(|name| search.find(self.inputs.files, name).is_some());
-        self.find_read_file(found.unwrap_or(&names[0]), at)
+        self.find_readable_file(found.unwrap_or(&names[0]), at)
     }
 
     /// Returns the picture in a file, which is decoded once per run.
@@ -363,7 +363,7 @@ impl Interpreter<'_> {
     }
 
     /// Checks the width or height of a function's picture.
-    pub(super) fn picture_side(&self, n: f64, span: Span) -> Result<usize> {
+    pub(super) fn checked_picture_side(&self, n: f64, span: Span) -> Result<usize> {
         if (1.0..=16384.0).contains(&n) {
             return Ok(n as usize);
         }

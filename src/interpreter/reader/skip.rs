@@ -23,19 +23,19 @@ impl Interpreter<'_> {
     pub(super) fn skip_next_item(&mut self) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => self.skip_enclosed()?,
-            Token::Numbers(data) if data.len() > 5 || self.next_is_complete(false) => {
+            Token::Numbers(data) if data.len() > 5 || self.next_value_is_complete(false) => {
                 self.stream.advance();
                 // Items inside a literal list cannot be continued by what follows the list.
                 while self.stream.take_inner_list_item().is_some() {}
             }
             // `<a, b, … >` of a quartic has more components than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. })
-                if data.len() > 5 || self.next_is_complete(false) =>
+                if data.len() > 5 || self.next_value_is_complete(false) =>
             {
                 self.stream.advance();
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. })
-                if parts.len() > 5 || self.next_is_complete(false) =>
+                if parts.len() > 5 || self.next_value_is_complete(false) =>
             {
                 self.stream.advance();
                 self.evaluate_numbers(parts)?;

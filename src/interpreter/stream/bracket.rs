@@ -15,9 +15,9 @@ pub struct OpenBracket {
     /// Span of the bracket without the word; `None` if the parser found the matching bracket.
     pub alone: Option<Span>,
     pub bracket: Bracket,
-    /// Keywords of the block that only durer has.
+    /// Keywords that only durer has, not POV-Ray, and that the bracket's block takes.
     pub own_words: &'static [&'static str],
-    /// Number of frames on the stack where the bracket was opened.
+    /// Number of frames on the stack at the time when the bracket was opened.
     pub frame_count: usize,
     /// Reading mode that is restored after the closing bracket.
     pub mode: Mode,
@@ -96,7 +96,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Records the brackets of a file that have no closing bracket in the file.
-    pub fn add_unclosed(&mut self, ast: &Ast) {
+    pub fn add_unclosed_brackets(&mut self, ast: &Ast) {
         self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
     }
 

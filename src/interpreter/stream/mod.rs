@@ -55,7 +55,8 @@ pub(super) struct Mode {
     /// True if directives and macro calls after a value run only after the value has been used: in declarations, array
     /// elements, macro arguments and conditions.
     pub(super) defers: bool,
-    /// Number of frames where the present declaration or directive began; deferred reading leaves none of these.
+    /// Number of frames on the stack when the present declaration or directive began; deferred reading pops none of
+    /// these frames.
     pub(super) frame_floor: usize,
     /// Depth of values that are being read inside each other.
     pub(super) nesting: usize,

@@ -81,7 +81,9 @@ impl<'a> Interpreter<'a> {
             left = operands.combine(self, op, (left, span), (right, right_span))?;
             span = joined_span_if_near(span, right_span);
         }
-        if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Punctuation(Punctuation::Question)))
+        if least == LOOSEST
+            && compares
+            && matches!(self.peek_after_value()?, Some(Token::Punctuation(Punctuation::Question)))
         {
             self.stream.advance();
             let (value, end) = operands.choose(self, (left, span))?;
@@ -97,7 +99,7 @@ impl<'a> Interpreter<'a> {
             return Ok(None);
         }
         loop {
-            return Ok(match self.peek_after()? {
+            return Ok(match self.peek_after_value()? {
                 Some(Token::Punctuation(Punctuation::Operator(op))) if compares || op.adds() || op.multiplies() => {
                     Some(op)
                 }
@@ -123,9 +125,9 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
         let may_be_called = |e: &Expr| self.stream.mode().defers && self.evaluator.ends_with_callable(e);
-        if self.next_is_complete(compares) && !matches!(token, Token::Expr(e) if may_be_called(e)) {
+        if self.next_value_is_complete(compares) && !matches!(token, Token::Expr(e) if may_be_called(e)) {
             match token {
-                Token::Expr(e) if compares || !e.compares() => {
+                Token::Expr(e) if compares || !e.has_bare_comparison() => {
                     self.stream.advance();
                     return Ok((self.evaluate(e)?, e.span));
                 }
@@ -202,7 +204,7 @@ impl<'a> Interpreter<'a> {
     /// Reads the components (`.x`) and call arguments after a value, and applies them to the value.
     fn apply_postfixes(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
         loop {
-            match self.peek_after()? {
+            match self.peek_after_value()? {
                 Some(Token::Punctuation(Punctuation::Dot)) => {
                     self.stream.advance();
                     let name = self.component_name()?;

@@ -80,8 +80,8 @@ fn remedies(document: &Document, diagnostic: &EditorDiagnostic) -> Vec<(String, 
     out
 }
 
-/// Help of the form "write `object { Ball … }`" or "write `texture { Oak }`": puts the marked name, or the name and the
-/// following braces, into a block.
+/// Returns the code action, as its title and edits, for help of the form "write `object { Ball … }`": puts the marked
+/// name, or the name and the following braces, into a block.
 fn wrap_in_block(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Option<(String, Vec<TextEdit>)> {
     let code = help.strip_prefix("write `")?.strip_suffix('`')?;
     let bytes = document.text.offset(diagnostic.range.start)..document.text.offset(diagnostic.range.end);
@@ -104,8 +104,8 @@ fn wrap_in_block(document: &Document, diagnostic: &EditorDiagnostic, help: &str)
     Some((format!("Write `{code}`"), vec![open, second]))
 }
 
-/// Help of the form "write `object { Ball translate x }`": replaces the statement around the position whose tokens
-/// occur in that text.
+/// Returns the code action, as its title and edits, for help of the form "write `object { Ball translate x }`":
+/// replaces the statement around the position whose tokens occur in that text.
 fn replace_statement(
     document: &Document,
     diagnostic: &EditorDiagnostic,
@@ -147,12 +147,12 @@ fn line_end(document: &Document) -> &'static str {
     if document.text.as_str().contains("\r\n") { "\r\n" } else { "\n" }
 }
 
-fn missing_line_end(document: &Document) -> &'static str {
+fn line_end_if_missing(document: &Document) -> &'static str {
     if document.text.as_str().ends_with(['\n', '\r']) { "" } else { line_end(document) }
 }
 
-/// The start of the first line after comments, `#version` and `#include`.
-fn first_line_offset(document: &Document) -> usize {
+/// Returns the byte offset of the first line of the scene that is no comment, `#version` or `#include`.
+fn first_scene_line_offset(document: &Document) -> usize {
     let (text, outline) = (&document.text, &document.outline);
     let is_head = |token: &&Token| matches!(outline.directive(token), "version" | "include");
     let directives = outline.tokens.iter().filter(is_head).map(|token| token.range.start);
@@ -163,7 +163,8 @@ fn first_line_offset(document: &Document) -> usize {
     first.map_or(text.as_str().len(), |line| text.offset(lsp_types::Position::new(line, 0)))
 }
 
-/// Help about missing text: a closing bracket or directive, or a camera.
+/// Returns the code action, as its title and edits, that inserts missing text: a closing bracket or `#end` at the end,
+/// or a camera. `None` for other help.
 fn insert_missing(document: &Document, help: &str) -> Option<(String, Vec<TextEdit>)> {
     let text = &document.text;
     let insert = |offset: usize, new_text: String| {
@@ -171,11 +172,11 @@ fn insert_missing(document: &Document, help: &str) -> Option<(String, Vec<TextEd
         vec![TextEdit { range: Range::new(at, at), new_text }]
     };
     if let Some((closer, _)) = help.strip_prefix("add `").and_then(|rest| rest.split_once("` where it should end")) {
-        let edit = insert(text.as_str().len(), format!("{}{closer}", missing_line_end(document)));
+        let edit = insert(text.as_str().len(), format!("{}{closer}", line_end_if_missing(document)));
         return Some((format!("Add `{closer}` at the end"), edit));
     }
     let camera = help.strip_prefix('`')?.strip_suffix('`').filter(|code| code.starts_with("camera {"))?;
-    Some(("Add a camera".into(), insert(first_line_offset(document), format!("{camera}{}", line_end(document)))))
+    Some(("Add a camera".into(), insert(first_scene_line_offset(document), format!("{camera}{}", line_end(document)))))
 }
 
 /// Inserts a missing `;` at the related position of the diagnostic.

@@ -14,11 +14,12 @@ use std::process::{Child, Command, Stdio};
 use std::str::FromStr;
 use std::sync::mpsc::SyncSender;
 
-/// Renders a scene into a picture beside it; the argument is the scene's path.
+/// Name of the editor command that renders a scene into a picture beside it; the command's argument is the scene's
+/// path.
 pub const RENDER: &str = "durer.render";
-/// Opens the page of `durer watch`; the argument is the scene's path.
+/// Name of the editor command that opens the page of `durer watch`; the command's argument is the scene's path.
 pub const WATCH: &str = "durer.watch";
-/// Explains a message code; the argument is the code.
+/// Name of the editor command that explains a diagnostic code; the command's argument is the code.
 pub const EXPLAIN: &str = "durer.explain";
 
 /// Processes and addresses of `durer watch`, by scene.

@@ -16,9 +16,9 @@ use lsp_types::{
 };
 use std::path::Path;
 
-/// Number of typed letters from which names of standard include files are offered.
+/// Minimum number of typed letters for completions of the names that standard include files declare.
 const MIN_LETTERS: usize = 2;
-/// Largest number of names from standard include files.
+/// Maximum number of completions of the names that standard include files declare.
 const MAX_NAMES: usize = 100;
 /// Largest number of files that are offered.
 const MAX_FILES: usize = 2000;
@@ -46,12 +46,12 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     let before_offset = &outline.tokens[..outline.first_token_from(offset)];
     let inside = before_offset.last().filter(|token| offset <= token.range.end);
     if let Some(string) = inside.filter(|token| token.kind == TokenKind::String) {
-        return Some(paths(document, &text[string.range.start + 1..offset]));
+        return Some(path_completions(document, &text[string.range.start + 1..offset]));
     }
     // An unclosed string contains the rest of the file.
     let line = &before[before.rfind(['\n', '\r']).map_or(0, |i| i + 1)..];
     if let (1, Some((_, path))) = (line.matches('"').count() % 2, line.rsplit_once('"')) {
-        return Some(paths(document, path));
+        return Some(path_completions(document, path));
     }
     let typed = &before[before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len()..];
     if before[..before.len() - typed.len()].trim_end_matches([' ', '\t']).ends_with('#') {
@@ -196,8 +196,9 @@ fn library_completions(document: &Document, known: &[CompletionItem], typed: &st
     library::standard_names().filter(fits).take(MAX_NAMES).filter_map(item).collect()
 }
 
-/// Files and folders that continue a typed path.
-fn paths(document: &Document, typed: &str) -> Vec<CompletionItem> {
+/// Returns completions of a typed path: the files and folders of the typed folder, relative to the document's folder;
+/// without a typed folder also the standard include files.
+fn path_completions(document: &Document, typed: &str) -> Vec<CompletionItem> {
     let (folder, _) = typed.rsplit_once('/').unwrap_or(("", typed));
     let place = document.folder().join(folder);
     let mut out = vec![];
@@ -211,7 +212,7 @@ fn paths(document: &Document, typed: &str) -> Vec<CompletionItem> {
         out.push(CompletionItem { kind: Some(kind), ..completion_item(&name, String::new(), "") });
     }
     if folder.is_empty() {
-        let standard = library::builtin_names().map(|name| CompletionItem {
+        let standard = library::builtin_file_names().map(|name| CompletionItem {
             kind: Some(CompletionItemKind::FILE),
             ..completion_item(name, "standard include file".into(), "")
         });

@@ -69,7 +69,7 @@ fn declaration_and_position(
             format!("{about}#macro {}({})", d.name, parameters.join(", "))
         }
         DeclarationKind::Parameter => format!("{name}: a parameter"),
-        _ => format!("{}{}", comment_before(one, d.whole.start), statement(&text[d.whole.start..])),
+        _ => format!("{}{}", comment_before(one, d.whole.start), shortened_declaration(&text[d.whole.start..])),
     };
     let more = if found.len() > 1 { format!("; declared {} times", found.len()) } else { String::new() };
     Some(format!("```pov\n{code}\n```\n{place}{more}"))
@@ -85,7 +85,7 @@ fn comment_before(one: &ReachableText, at: usize) -> String {
 }
 
 /// A declaration up to its `;` or closing brace, shortened if necessary.
-fn statement(text: &str) -> String {
+fn shortened_declaration(text: &str) -> String {
     let (mut depth, mut end) = (0i32, text.len());
     for (i, c) in text.char_indices() {
         depth += match c {

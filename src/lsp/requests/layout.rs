@@ -88,7 +88,7 @@ pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> 
     Some(out)
 }
 
-/// True for pairs that editors fold and select.
+/// True for bracket pairs that the server offers for folding and selection: closed ones other than `<…>`.
 fn is_visible(pair: &Pair) -> bool {
     pair.closer.is_some() && pair.bracket != b'<'
 }

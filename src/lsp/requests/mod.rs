@@ -108,7 +108,8 @@ pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
     }
 }
 
-/// Responds to a request about a document that is not open, or that is too large for any service.
+/// Returns the response to a request about a document that is not open or too large for any service; `None` for all
+/// other requests.
 fn refuse_document<S: Client>(server: &Server<S>, request: &Request) -> Option<Response> {
     let address = request.params["textDocument"]["uri"].as_str()?;
     let id = request.id.clone();

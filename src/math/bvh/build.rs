@@ -209,22 +209,22 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 
     /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `count`.
-    fn choose_children(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
-        let binary_node = &self.binary_nodes[number as usize];
-        while count > 1 && binary_node.first[count - 2] == 0 {
-            count -= 1;
+    fn choose_children(&self, root: u32, mut max_count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
+        let binary_node = &self.binary_nodes[root as usize];
+        while max_count > 1 && binary_node.first[max_count - 2] == 0 {
+            max_count -= 1;
         }
-        if count == 1 {
-            return out.push(number);
+        if max_count == 1 {
+            return out.push(root);
         }
-        let first = usize::from(binary_node.first[count - 2]);
+        let first = usize::from(binary_node.first[max_count - 2]);
         self.choose_children(binary_node.parts[0], first, out);
-        self.choose_children(binary_node.parts[1], count - first, out);
+        self.choose_children(binary_node.parts[1], max_count - first, out);
     }
 
     /// Appends the items of a subtree to the BVH, and extends `around` by their boxes.
-    fn add_items(&mut self, number: u32, around: &mut Around) {
-        match self.binary_nodes[number as usize] {
+    fn add_items(&mut self, root: u32, around: &mut Around) {
+        match self.binary_nodes[root as usize] {
             BinaryNode { items: 1, parts: [start, end], .. } => {
                 self.prims[start as usize..end as usize].iter().for_each(|prim| around.add(prim));
                 self.items.push(start..end);

@@ -19,7 +19,7 @@ const MAX_SQUARE: f64 = 1e120;
 pub fn sinh(x: f64) -> f64 {
     let a = x.abs();
     if a < SMALL {
-        return x + x * sinh_series(x * x);
+        return x + x * sinh_ratio_minus_one(x * x);
     }
     if a >= MAX_EXPONENT || x.is_nan() {
         return libm::sinh(x);
@@ -46,7 +46,7 @@ pub fn tanh(x: f64) -> f64 {
     if a < SMALL {
         let z = x * x;
         // tanh x = sinh x / cosh x
-        return Pair::sum(x, x * sinh_series(z)).over(Pair::sum(1.0, cosh_series(z))).value();
+        return Pair::sum(x, x * sinh_ratio_minus_one(z)).over(Pair::sum(1.0, cosh_minus_one(z))).value();
     }
     if a >= NEGLIGIBLE || x.is_nan() {
         return libm::tanh(x);
@@ -60,7 +60,7 @@ pub fn tanh(x: f64) -> f64 {
 pub fn asinh(x: f64) -> f64 {
     let a = x.abs();
     if a < SMALL_INVERSE {
-        return x + x * asinh_series(x * x);
+        return x + x * asinh_ratio_minus_one(x * x);
     }
     if a >= MAX_SQUARE || x.is_nan() {
         return libm::asinh(x);
@@ -81,7 +81,7 @@ pub fn acosh(x: f64) -> f64 {
     // w = √((x - 1)·(x + 1)); acosh x = asinh w = ln(x + w)
     let w = Pair::sum(x, -1.0).times(Pair::sum(x, 1.0)).square_root();
     if w.high < SMALL_INVERSE {
-        return w.high + (w.high * asinh_series(w.high * w.high) + w.low);
+        return w.high + (w.high * asinh_ratio_minus_one(w.high * w.high) + w.low);
     }
     ln_of_pair(w.plus(Pair::of(x)))
 }
@@ -102,20 +102,20 @@ pub fn atanh(x: f64) -> f64 {
     (0.5 * ln_of_pair(Pair::sum(1.0, a).over(Pair::sum(1.0, -a)))).copysign(x)
 }
 
-/// Returns sinh(x)/x - 1 for z = x², by its Taylor series.
-fn sinh_series(z: f64) -> f64 {
+/// Returns sinh(x)/x - 1 by its Taylor series; the argument z is x².
+fn sinh_ratio_minus_one(z: f64) -> f64 {
     let inner = 1.0 + z * (1.0 / 72.0) * (1.0 + z * (1.0 / 110.0) * (1.0 + z * (1.0 / 156.0)));
     z * (1.0 / 6.0) * (1.0 + z * 0.05 * (1.0 + z * (1.0 / 42.0) * inner))
 }
 
-/// Returns cosh(x) - 1 for z = x², by its Taylor series.
-fn cosh_series(z: f64) -> f64 {
+/// Returns cosh(x) - 1 by its Taylor series; the argument z is x².
+fn cosh_minus_one(z: f64) -> f64 {
     let inner = 1.0 + z * (1.0 / 90.0) * (1.0 + z * (1.0 / 132.0) * (1.0 + z * (1.0 / 182.0)));
     z * 0.5 * (1.0 + z * (1.0 / 12.0) * (1.0 + z * (1.0 / 30.0) * (1.0 + z * (1.0 / 56.0) * inner)))
 }
 
-/// Returns asinh(x)/x - 1 for z = x², by its Taylor series.
-fn asinh_series(z: f64) -> f64 {
+/// Returns asinh(x)/x - 1 by its Taylor series; the argument z is x².
+fn asinh_ratio_minus_one(z: f64) -> f64 {
     let inner = -63.0 / 2816.0 + z * (231.0 / 13312.0 + z * (-143.0 / 10240.0 + z * (6435.0 / 557_056.0)));
     z * (-1.0 / 6.0 + z * (0.075 + z * (-5.0 / 112.0 + z * (35.0 / 1152.0 + z * inner))))
 }

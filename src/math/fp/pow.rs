@@ -5,7 +5,7 @@
 //! is the number (T. J. Dekker, "A floating-point technique for extending the available precision", 1971). No step uses a fused
 //! multiply-add, which not all processors have.
 
-/// Number of rows of both tables.
+/// Number of rows of the table of logarithms, and of the table of 2^(i/128).
 const ROWS: usize = 128;
 
 /// Bits of a number from which on the exponent and the table's row are counted: 0.703125, so that the reduced number is between
@@ -22,7 +22,7 @@ const STEP: Pair = Pair { high: f64::from_bits(0x3f76_2e42_fef8_0000), low: f64:
 const MAX_EXPONENT: f64 = 700.0;
 
 static LOGS: [LogRow; ROWS] = log_table();
-static ROOTS: [Pair; ROWS] = root_table();
+static ROOTS: [Pair; ROWS] = power_of_two_table();
 
 /// x to the power of y, with an error of at most 0.6 units in the last place; 1 unit where x or the result is not a positive normal
 /// number.
@@ -132,7 +132,7 @@ const fn log_table() -> [LogRow; ROWS] {
 }
 
 /// Computes the table of 2^(i/128).
-const fn root_table() -> [Pair; ROWS] {
+const fn power_of_two_table() -> [Pair; ROWS] {
     let mut table = [Pair { high: 1.0, low: 0.0 }; ROWS];
     let mut i = 1;
     while i < ROWS {

@@ -48,7 +48,7 @@ impl NoiseGenerator {
     /// and 1: the largest spectral norms of the second derivatives, found by hill climbing from the largest of three
     /// million points, are 7.25 and 8.08 for the last two. The first is 1/0.48985582 times the second, except where it
     /// is clamped: 14.8.
-    pub fn max_gradient_change(self) -> f64 {
+    pub fn max_gradient_change_per_unit(self) -> f64 {
         match self.number() {
             1 => 16.2,
             2 => 7.9,

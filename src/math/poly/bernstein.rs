@@ -39,7 +39,7 @@ const EXACT: usize = 8;
 
 /// Margin of the clipped window around the interval of wanted roots: far more than the rounding error of a root.
 const WINDOW_SLACK: f64 = 1e-9;
-/// Share of the interval above which the window of wanted roots is not clipped.
+/// Share of the interval: a window of wanted roots that is wider than this is not clipped.
 const MOST_OF_IT: f64 = 0.8;
 
 /// Search for a polynomial's roots on [0, 1]. Arrays have at least one coefficient more than the degree.

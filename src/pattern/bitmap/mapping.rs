@@ -120,13 +120,13 @@ impl Mapping {
             }
             PixelInterpolation::Bilinear => weighted_grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
             PixelInterpolation::Bicubic => {
-                let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom);
+                let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom_weight);
                 weighted_grid(i - 1, j - 1, &row(s), &row(t), size)
             }
             PixelInterpolation::Distance => {
                 // Lower left of the four pixels; a point level with the centres takes those and the next.
                 let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
-                pixels_by_distance(left as i64, above as i64, a - left, b - above, size)
+                pixels_weighted_by_distance(left as i64, above as i64, a - left, b - above, size)
             }
         }
     }
@@ -163,12 +163,12 @@ fn weighted_grid(i: i64, j: i64, column_weights: &[f64], row_weights: &[f64], si
 }
 
 /// Weight of a bitmap's pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
-fn catmull_rom(d: f64) -> f64 {
+fn catmull_rom_weight(d: f64) -> f64 {
     if d < 1.0 { 1.0 - 2.5 * d * d + 1.5 * d * d * d } else { 2.0 - 4.0 * d + 2.5 * d * d - 0.5 * d * d * d }
 }
 
 /// Returns four pixels of a bitmap, weighted by the inverse squares of their distances.
-fn pixels_by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
+fn pixels_weighted_by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
         let (dx, dy) = (s - f64::from(x), t - f64::from(y));

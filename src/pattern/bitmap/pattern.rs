@@ -70,7 +70,8 @@ impl Readable for ImagePattern {
 }
 
 impl ImagePattern {
-    /// Reads the items of an `image_pattern` or `bump_map`; `block` takes other words too.
+    /// Reads the items of an `image_pattern` or `bump_map`; `other` reads the words that the block takes besides.
+    /// `block` is the block's name.
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.

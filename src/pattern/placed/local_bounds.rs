@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 impl Modifiers {
     /// Returns local bounds of a pattern's numbers after frequency, phase and wave, from their bounds `raw` before.
-    pub fn bounds_near(&self, raw: LocalBounds) -> LocalBounds {
+    pub fn modified_bounds(&self, raw: LocalBounds) -> LocalBounds {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 {
             raw
@@ -28,10 +28,11 @@ impl Modifiers {
             (a, _) => Some(a * PERIOD),
         };
         match start {
-            Some(0.0) => self.wave.bounds_near(shifted),
-            Some(start) if lo - start >= 0.0 => self
-                .wave
-                .bounds_near(LocalBounds { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted }),
+            Some(0.0) => self.wave.bounds_of_wave_over(shifted),
+            Some(start) if lo - start >= 0.0 => self.wave.bounds_of_wave_over(LocalBounds {
+                range: Interval { lo: lo - start, hi: hi - start }.widened(),
+                ..shifted
+            }),
             _ => LocalBounds::UNKNOWN,
         }
     }
@@ -39,7 +40,7 @@ impl Modifiers {
 
 impl Wave {
     /// Returns local bounds of a wave over numbers within one period.
-    fn bounds_near(self, v: LocalBounds) -> LocalBounds {
+    fn bounds_of_wave_over(self, v: LocalBounds) -> LocalBounds {
         let Interval { lo, hi } = v.range;
         let chain =
             |range: Interval, factor: f64| LocalBounds { range: range.widened(), steepest: v.steepest * factor, ..v };

@@ -15,7 +15,7 @@ use super::{CellPattern, Field, FieldPattern, FunctionPattern, Warp};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
-use crate::value::words::{is_row, read_row};
+use crate::value::words::{is_word_in_rows, read_row};
 use crate::value::{Family, Next, Readable, Reader, SharedDefault, StaticDefault};
 use serde::Serialize;
 
@@ -105,7 +105,7 @@ impl Pattern {
             }
             next if self.kind.read_own(next, r)? => {}
             next if read_row(Modifiers::ROWS, &mut self.modifiers, next, r)? => {}
-            next if is_row(TurbulenceParams::ROWS, next) => {
+            next if is_word_in_rows(TurbulenceParams::ROWS, next) => {
                 read_row(TurbulenceParams::ROWS, self.space.turbulence_mut(), next, r)?;
             }
             Next::Word("noise_generator") => {

@@ -126,7 +126,7 @@ impl PatternProgram {
                 LocalBounds::constant(self.number_in_pattern_space(&inner))
             }
             Value::Cells(_) => LocalBounds::UNKNOWN,
-            Value::Field(number) => number.modifiers.bounds_near(number.field.bounds_near(
+            Value::Field(number) => number.modifiers.modified_bounds(number.field.bounds_near(
                 &number.with_own_noise(&inner),
                 &number.field_params(),
                 radius,

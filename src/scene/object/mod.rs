@@ -107,12 +107,12 @@ pub struct ObjectBody {
     pub uncommon: SharedDefault<Uncommon>,
     /// Word of the object's block, such as `sphere`.
     pub word: &'static str,
-    /// Box and size of a CSG object; `None` for a single shape or a light.
+    /// Bounding box, nesting depth and number of shapes of a CSG object; `None` for a single shape or a light.
     #[serde(skip)]
     pub bulk: Option<Box<Bulk>>,
 }
 
-/// Box and size of a CSG object.
+/// Bounding box, nesting depth and number of shapes of a CSG object.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bulk {
     /// Box that [`Object::pov_bounds`] returns, in the space after the object's transforms.

@@ -10,7 +10,7 @@ use crate::scene::{Defaults, Material, Painted, Weight, read_layers, read_materi
 use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::words::{is_row, read_row};
+use crate::value::words::{is_word_in_rows, read_row};
 use crate::value::{Family, Language, Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
@@ -197,7 +197,7 @@ impl Object {
         r: &mut dyn Reader,
         defaults: &Defaults,
     ) -> Result<bool> {
-        if is_row(FLAGS, next) {
+        if is_word_in_rows(FLAGS, next) {
             return read_row(FLAGS, &mut self.uncommon.flags, next, r);
         }
         match next {

@@ -167,7 +167,7 @@ impl Readable for BicubicPatch {
         loop {
             let span = r.span();
             if r.accept("type")? {
-                kind = Some(check_type(span, r)?);
+                kind = Some(read_and_check_type(span, r)?);
             } else if r.accept("u_steps")? {
                 steps[0] = r.float()?;
             } else if r.accept("v_steps")? {
@@ -209,7 +209,7 @@ impl Readable for BicubicPatch {
 }
 
 /// Reads the type of a bicubic patch, 0 or 1; other numbers count as 1, as in POV-Ray.
-fn check_type(span: Span, r: &mut dyn Reader) -> Result<()> {
+fn read_and_check_type(span: Span, r: &mut dyn Reader) -> Result<()> {
     let kind = r.float()?;
     if kind >= 0.0 {
         return Ok(());

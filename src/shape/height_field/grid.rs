@@ -103,8 +103,8 @@ impl RayPiece {
     }
 }
 
-/// Returns the distance at which a ray crosses the middle of a square along one axis: `line_crossing`, unless the line does not
-/// cross it or nothing is beyond.
+/// Returns the distance at which a ray crosses the middle of a square along one axis. That is `line_crossing`, or
+/// infinite (of either sign) where the ray is parallel to the middle line or the square has no second half.
 fn middle_crossing(o: f64, d: f64, middle: usize, end: usize, line_crossing: f64) -> f64 {
     let is_whole = middle >= end;
     if d == 0.0 {

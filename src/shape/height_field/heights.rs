@@ -61,7 +61,7 @@ pub fn heights_of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
 
 /// Returns the heights of a `pot` picture from rows of palette indices: the left half holds the higher bytes, the right
 /// half the lower.
-pub fn heights_of_pot(all: &[u16], width: usize) -> Vec<u16> {
+pub fn heights_of_pot_picture(all: &[u16], width: usize) -> Vec<u16> {
     let half = width / 2;
     let row = |row: &[u16]| (0..half).map(|x| row[x] | row[x + width - half] >> 8).collect::<Vec<_>>();
     all.chunks_exact(width).flat_map(row).collect()

@@ -191,7 +191,7 @@ impl Readable for HeightField {
             && height > 1
         {
             let all = heights::heights_of_picture(&picture, self.gamma);
-            let heights = if self.is_pot { heights::heights_of_pot(&all, picture.pixels.width) } else { all };
+            let heights = if self.is_pot { heights::heights_of_pot_picture(&all, picture.pixels.width) } else { all };
             self.grid = Some(Arc::new(Grid::new(width, heights)));
         }
         if self.grid.is_none() {

@@ -98,7 +98,7 @@ fn heights_follow_from_pixels() {
 fn heights_follow_from_both_halves_of_a_pot_file() {
     // POV-Ray: 9 and 15 make 2304 + 15.
     assert_eq!(
-        heights::heights_of_pot(&[9 << 8, 10 << 8, 0, 15 << 8, 1 << 8, 2 << 8, 3 << 8, 4 << 8], 4),
+        heights::heights_of_pot_picture(&[9 << 8, 10 << 8, 0, 15 << 8, 1 << 8, 2 << 8, 3 << 8, 4 << 8], 4),
         [2304, 2575, 259, 516]
     );
 }

@@ -112,7 +112,8 @@ impl JuliaFractal {
         (ball * (1.0 + 1e-6)).min(largest)
     }
 
-    /// Number of iterations that the orbit of a point inside a Julia fractal must stay.
+    /// Number of iterations during which a point's orbit must stay within the escape radius for the point to be inside
+    /// a Julia fractal.
     fn iteration_count(&self) -> usize {
         self.max_iteration.saturating_sub(1).min(MOST_ROUNDS)
     }
@@ -203,7 +204,7 @@ impl JuliaFractal {
         }
     }
 
-    /// Returns the iteration after which the orbit of a Julia fractal is longest, among those that count.
+    /// Returns the iteration after which |h| is largest in a point's orbit, among the iterations that count.
     fn iteration_of_max_length(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
         self.iteration_rule().iterate_orbit(self.orbit_start(p), self.iteration_count(), |squares| {

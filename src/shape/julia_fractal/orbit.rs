@@ -9,7 +9,8 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-/// Number of iterations back after which the ball around a Julia fractal hardly shrinks.
+/// Maximum number of iterations that are traced back from the escape radius to reduce the radius of the ball around a
+/// Julia fractal; more hardly reduce it.
 const BALL_ROUNDS: usize = 6;
 
 /// Four-dimensional number of a Julia fractal: x + iy + jz + kw.

@@ -27,12 +27,12 @@ pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
 
 /// Reads a shape from words separated by blanks; returns the diagnostics too.
 pub fn read_shape<S: Readable + Kernel>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
-    let mut r = Words { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
+    let mut r = NumberWordReader { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
     let shape = read_whole_shape::<S>(&mut r);
     (shape, r.reports)
 }
 
-fn read_whole_shape<S: Readable + Kernel>(r: &mut Words) -> Result<S> {
+fn read_whole_shape<S: Readable + Kernel>(r: &mut NumberWordReader) -> Result<S> {
     let mut shape = S::read(r)?;
     loop {
         let next = r.next()?;
@@ -64,12 +64,12 @@ impl Paints for NoPaints {
     fn transform(&mut self, _: &mut u32, _: &Transform) {}
 }
 
-struct Words {
+struct NumberWordReader {
     left: VecDeque<String>,
     reports: Vec<Diagnostic>,
 }
 
-impl Reader for Words {
+impl Reader for NumberWordReader {
     fn next(&mut self) -> Result<Next> {
         Ok(match self.left.front() {
             None => Next::End,

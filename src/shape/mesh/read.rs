@@ -109,19 +109,19 @@ impl Readable for Mesh {
 }
 
 impl Draft {
-    fn must_be_empty(&self, file: Span) -> Result<()> {
+    fn check_has_no_geometry(&self, file: Span) -> Result<()> {
         if self.triangles.corners.is_empty() && self.file.is_none() {
             return Ok(());
         }
-        Err(two_sources_error(file))
+        Err(file_and_triangles_error(file))
     }
 
-    fn must_have_no_file(&self, triangle: Span) -> Result<()> {
-        if self.file.is_none() { Ok(()) } else { Err(two_sources_error(triangle)) }
+    fn check_has_no_file(&self, triangle: Span) -> Result<()> {
+        if self.file.is_none() { Ok(()) } else { Err(file_and_triangles_error(triangle)) }
     }
 }
 
-fn two_sources_error(span: Span) -> Fault {
+fn file_and_triangles_error(span: Span) -> Fault {
     let d = Diagnostic::new(codes::TWO_FORMS, span, "a `mesh` has one `file`, or triangles, not both");
     Box::new(d.help("write two meshes, in a `union { … }`"))
 }
@@ -137,7 +137,7 @@ impl Mesh {
         match next {
             Next::Word("file") => {
                 let at = r.take_token()?;
-                self.1.must_be_empty(at)?;
+                self.1.check_has_no_geometry(at)?;
                 let file = FileMesh::read(r)?;
                 self.0.texture_weights = file.add_material_textures(paints, r)?;
                 self.1.file = Some(file);
@@ -145,7 +145,7 @@ impl Mesh {
             }
             Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
                 let span = r.take_token()?;
-                self.1.must_have_no_file(span)?;
+                self.1.check_has_no_file(span)?;
                 self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
                 r.leave_block()?;
                 Ok(true)
@@ -444,7 +444,8 @@ fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Trip
     Ok((faces, painted))
 }
 
-/// Marks textures of a face that were given for each corner, even if they are equal.
+/// Returns the texture numbers of a face's corners; if all are equal, with a flag which states that they were given for
+/// each corner.
 fn mark_textures_per_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }

@@ -10,12 +10,13 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Number of parts of a parametric surface's container, along its longest side, that a patch without further
-/// subdivision must be smaller than.
+/// Divisor of the container's longest side: a parametric surface is subdivided until each patch is smaller than the
+/// quotient.
 const PARTS: f64 = 24.0;
-/// Maximum number of subdivisions of a parametric surface's patches.
+/// Maximum number of times that a parametric surface is halved into the patches of the hierarchy, before any ray is
+/// traced.
 const DEPTH: u32 = 13;
-/// Additional subdivisions of a parametric surface's patch where a ray hits.
+/// Maximum number of times that a patch of the hierarchy is halved again during the search for a ray's hits in it.
 const MORE: u32 = 24;
 
 /// Patches of a parametric surface, with a hierarchy of their boxes.

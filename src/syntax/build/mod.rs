@@ -53,7 +53,7 @@ impl<'n> Builder<'n> {
     /// Appends the elements of a whole piece of text to `out`.
     pub(super) fn piece(&self, chunk: Pair<Rule>, out: &mut Vec<Element>) {
         let range = range(&chunk);
-        self.elements_into(chunk.into_inner(), range, Context::Script, out);
+        self.append_elements(chunk.into_inner(), range, Context::Script, out);
     }
 
     /// Returns the first token of a parser's pair.
@@ -81,38 +81,38 @@ impl<'n> Builder<'n> {
     }
 
     /// Appends the elements in a range of tokens to `out`. A comma after an element becomes a flag of the element.
-    fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, context: Context, out: &mut Vec<Element>) {
+    fn append_elements(&self, pairs: Pairs<Rule>, range: Range<usize>, context: Context, out: &mut Vec<Element>) {
         let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
             let own = self::range(&pair);
-            self.commas(at..own.start, first, out);
+            self.attach_or_append_commas(at..own.start, first, out);
             at = own.end;
             self.element(pair, context, out);
         }
-        self.commas(at..range.end, first, out);
+        self.attach_or_append_commas(at..range.end, first, out);
     }
 
     /// Builds the elements between the brackets of a pair, or in a directive's body.
     fn elements(&self, pair: Pair<Rule>, context: Context) -> Box<[Element]> {
         let mut out = vec![];
-        self.inner_into(pair, context, &mut out);
+        self.append_inner_elements(pair, context, &mut out);
         out.into_boxed_slice()
     }
 
     /// Appends the elements between the brackets of a parser's pair, or all elements of a directive's body.
-    fn inner_into(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
+    fn append_inner_elements(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
         let mut range = range(&pair);
         match pair.as_rule() {
             Rule::body => {}
             Rule::block | Rule::call | Rule::builtin => range = range.start + 2..range.end - 1,
             _ => range = range.start + 1..range.end - 1,
         }
-        self.elements_into(pair.into_inner(), range, context, out);
+        self.append_elements(pair.into_inner(), range, context, out);
     }
 
     /// Processes the commas between two elements: each one sets the flag of the element before, or becomes an element
     /// of its own.
-    fn commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
+    fn attach_or_append_commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
         for i in range.filter(|i| self.classes[*i] == class::COMMA) {
             let behind = out.len() > first;
             match out.last_mut() {
@@ -206,7 +206,7 @@ impl<'n> Builder<'n> {
             let operand = |kind| ElementKind::Expr(Box::new(Expr { span, calls: false, kind }));
             let kind = match class {
                 class::COMMA => {
-                    self.commas(i..i + 1, first, out);
+                    self.attach_or_append_commas(i..i + 1, first, out);
                     continue;
                 }
                 class::KEYWORD | class::BUILTIN | class::FUNCTION | class::DEPRECATED => {

@@ -9,27 +9,27 @@ use crate::syntax::word;
 pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
     let mut out = Pieces(vec![]);
     match &e.kind {
-        ExprKind::Paren(inner) => out.bracketed(Bracket::Paren, e.span, |out| out.whole(inner)),
+        ExprKind::Paren(inner) => out.push_bracketed(Bracket::Paren, e.span, |out| out.push_whole(inner)),
         ExprKind::Vector(parts) => {
-            out.punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
+            out.push_punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
             out.0.extend(parts.iter().cloned());
-            out.punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
+            out.push_punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
         }
         ExprKind::Literal(data) => {
-            out.punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
+            out.push_punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
             for x in data.iter() {
-                out.whole(&Expr { span: e.span, calls: false, kind: ExprKind::Number(*x) });
+                out.push_whole(&Expr { span: e.span, calls: false, kind: ExprKind::Number(*x) });
                 out.mark_comma_after_last();
             }
-            out.punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
+            out.push_punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
         }
         ExprKind::Builtin(name, arguments) => {
             let span = Span { hi: e.span.lo + name.name.len() as u32, ..e.span };
             out.0.push(Element::new(span, ElementKind::Word(name)));
             let brackets = Span { lo: span.hi, ..e.span };
-            out.bracketed(Bracket::Paren, brackets, |out| {
+            out.push_bracketed(Bracket::Paren, brackets, |out| {
                 for argument in arguments {
-                    out.whole(argument);
+                    out.push_whole(argument);
                     out.mark_comma_after_last();
                 }
                 out.unmark_comma_after_last();
@@ -37,30 +37,30 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
         }
         ExprKind::Call(symbol, arguments) => {
             let span = Span { hi: e.span.lo + names.text(*symbol).len() as u32, ..e.span };
-            out.whole(&Expr { span, calls: false, kind: ExprKind::Name(*symbol) });
-            out.arguments(arguments, Span { lo: span.hi, ..e.span });
+            out.push_whole(&Expr { span, calls: false, kind: ExprKind::Name(*symbol) });
+            out.push_arguments(arguments, Span { lo: span.hi, ..e.span });
         }
         ExprKind::Index(base, indices) => {
-            out.whole(base);
+            out.push_whole(base);
             for index in indices {
                 let span = Span { lo: index.span.lo.saturating_sub(1), hi: index.span.hi + 1 };
-                out.bracketed(Bracket::Square, span, |out| out.whole(index));
+                out.push_bracketed(Bracket::Square, span, |out| out.push_whole(index));
             }
         }
         ExprKind::Apply(base, arguments) => {
-            out.whole(base);
-            out.arguments(arguments, Span { lo: base.span.hi, ..e.span });
+            out.push_whole(base);
+            out.push_arguments(arguments, Span { lo: base.span.hi, ..e.span });
         }
         ExprKind::Dot(base, name, symbol) => {
-            out.whole(base);
-            out.punctuation(Punctuation::Dot, Span { lo: base.span.hi, hi: name.span.lo });
+            out.push_whole(base);
+            out.push_punctuation(Punctuation::Dot, Span { lo: base.span.hi, hi: name.span.lo });
             let keyword = name.word.and_then(word::entry).filter(|w| w.category != word::Category::Constant);
             match keyword {
                 Some(word) => out.0.push(Element::new(name.span, ElementKind::Word(word))),
-                None => out.whole(&Expr { span: name.span, calls: false, kind: ExprKind::Name(*symbol) }),
+                None => out.push_whole(&Expr { span: name.span, calls: false, kind: ExprKind::Name(*symbol) }),
             }
         }
-        _ => out.operands(e),
+        _ => out.push_operands(e),
     }
     out.0
 }
@@ -90,7 +90,7 @@ pub fn begins_with_parenthesis(e: &Expr) -> bool {
 struct Pieces(Vec<Element>);
 
 impl Pieces {
-    fn whole(&mut self, e: &Expr) {
+    fn push_whole(&mut self, e: &Expr) {
         let kind = match &e.kind {
             ExprKind::Block(block) => ElementKind::Block(block.clone()),
             ExprKind::Function(function) => ElementKind::Function(function.clone()),
@@ -99,7 +99,7 @@ impl Pieces {
         self.0.push(Element::new(e.span, kind));
     }
 
-    fn punctuation(&mut self, mark: Punctuation, span: Span) {
+    fn push_punctuation(&mut self, mark: Punctuation, span: Span) {
         self.0.push(Element::new(span, ElementKind::Punctuation(mark)));
     }
 
@@ -111,25 +111,25 @@ impl Pieces {
         self.0.last_mut().into_iter().for_each(|last| last.comma = false);
     }
 
-    fn bracketed(&mut self, bracket: Bracket, span: Span, fill: impl FnOnce(&mut Self)) {
-        self.punctuation(Punctuation::Open(bracket), Span { hi: span.lo + 1, ..span });
+    fn push_bracketed(&mut self, bracket: Bracket, span: Span, fill: impl FnOnce(&mut Self)) {
+        self.push_punctuation(Punctuation::Open(bracket), Span { hi: span.lo + 1, ..span });
         fill(self);
-        self.punctuation(Punctuation::Close(bracket), Span { lo: span.hi.saturating_sub(1), ..span });
+        self.push_punctuation(Punctuation::Close(bracket), Span { lo: span.hi.saturating_sub(1), ..span });
     }
 
-    fn arguments(&mut self, arguments: &[Element], span: Span) {
-        self.bracketed(Bracket::Paren, span, |out| out.0.extend(arguments.iter().cloned()));
+    fn push_arguments(&mut self, arguments: &[Element], span: Span) {
+        self.push_bracketed(Bracket::Paren, span, |out| out.0.extend(arguments.iter().cloned()));
     }
 
     /// Appends the operands and operators of a chain, in the order of the text.
-    fn operands(&mut self, e: &Expr) {
+    fn push_operands(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Chain(chain) => {
-                self.operands(&chain.first);
+                self.push_operands(&chain.first);
                 let mut end = chain.first.span.hi;
                 for (op, operand) in &chain.rest {
-                    self.punctuation(Punctuation::Operator(*op), Span { lo: end, hi: operand.span.lo });
-                    self.operands(operand);
+                    self.push_punctuation(Punctuation::Operator(*op), Span { lo: end, hi: operand.span.lo });
+                    self.push_operands(operand);
                     end = operand.span.hi;
                 }
             }
@@ -139,23 +139,23 @@ impl Pieces {
                     Prefix::Plus => Punctuation::Operator(Operator::Add),
                     Prefix::Not => Punctuation::Not,
                 };
-                self.punctuation(mark, Span { hi: e.span.lo + 1, ..e.span });
-                self.operands(inner);
+                self.push_punctuation(mark, Span { hi: e.span.lo + 1, ..e.span });
+                self.push_operands(inner);
             }
             ExprKind::Number(x) if x.is_sign_negative() => {
-                self.punctuation(Punctuation::Operator(Operator::Sub), Span { hi: e.span.lo + 1, ..e.span });
+                self.push_punctuation(Punctuation::Operator(Operator::Sub), Span { hi: e.span.lo + 1, ..e.span });
                 let span = Span { lo: e.span.lo + 1, ..e.span };
-                self.whole(&Expr { span, calls: false, kind: ExprKind::Number(-x) });
+                self.push_whole(&Expr { span, calls: false, kind: ExprKind::Number(-x) });
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                self.operands(condition);
-                self.punctuation(Punctuation::Question, Span { lo: condition.span.hi, hi: yes.span.lo });
-                self.operands(yes);
-                self.punctuation(Punctuation::Colon, Span { lo: yes.span.hi, hi: no.span.lo });
-                self.operands(no);
+                self.push_operands(condition);
+                self.push_punctuation(Punctuation::Question, Span { lo: condition.span.hi, hi: yes.span.lo });
+                self.push_operands(yes);
+                self.push_punctuation(Punctuation::Colon, Span { lo: yes.span.hi, hi: no.span.lo });
+                self.push_operands(no);
             }
-            _ => self.whole(e),
+            _ => self.push_whole(e),
         }
     }
 }

@@ -81,7 +81,7 @@ impl Source {
     }
 
     /// Multiplies the spacing of the photons.
-    fn widen(&mut self, factor: f64) {
+    fn widen_spacing(&mut self, factor: f64) {
         (self.step, self.spacing) = (self.step * factor, self.spacing * factor);
     }
 
@@ -181,7 +181,7 @@ impl Plan {
         // Widen the spacing of too many photons
         let count: f64 = sources.iter().map(Source::n_photons).sum();
         if count > MAX_PHOTONS {
-            sources.iter_mut().for_each(|source| source.widen((count / MAX_PHOTONS).sqrt()));
+            sources.iter_mut().for_each(|source| source.widen_spacing((count / MAX_PHOTONS).sqrt()));
         }
         let mut plan = Self { sources, jobs: vec![] };
         for (number, source) in plan.sources.iter().enumerate() {

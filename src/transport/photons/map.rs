@@ -8,7 +8,7 @@ use glam::Vec4;
 /// Maximum number of photons of a leaf of the tree.
 const LEAF: usize = 16;
 
-/// Number of photons at which the radius of the search is estimated.
+/// Maximum number of photons around which [`PhotonMap::mean_radius`] measures the distance of neighbours.
 const RADIUS_SAMPLES: usize = 256;
 
 /// A stored photon, in single precision: maps are large.
@@ -136,7 +136,7 @@ impl PhotonMap {
         f64::from(search.limit).sqrt()
     }
 
-    /// Returns the mean distance of the photon number `count` from a photon, over photons of the whole map.
+    /// Returns the mean radius of a ball around a photon that contains `count` photons, the one at the centre included.
     pub fn mean_radius(&self, count: usize) -> f64 {
         let n = self.len().min(RADIUS_SAMPLES);
         let (mut sum, mut found) = (0.0, Found::new());

@@ -39,13 +39,13 @@ impl Inherited {
 /// Returns the interior of an object: that of its block, with `ior` and `caustics` of finishes, as in old scenes.
 pub fn interior_of(object: &Object) -> Option<Arc<Interior>> {
     let mut interior = object.uncommon.interior.clone();
-    add_finish_words(object, &mut interior);
+    copy_ior_and_caustics(object, &mut interior);
     interior
 }
 
 /// Writes `ior` and `caustics` of the topmost layer's finish to the interior (quirk: `finish_ior_first`). The parts of a
 /// group that have no `interior` block write to that of the group, one after the other (quirk: `finish_ior_of_parts`).
-fn add_finish_words(object: &Object, interior: &mut Option<Arc<Interior>>) {
+fn copy_ior_and_caustics(object: &Object, interior: &mut Option<Arc<Interior>>) {
     let top = object.texture.as_ref().and_then(|painted| painted.texture.layers.last());
     if let Some(&Uncommon { ior, caustics, .. }) = top.map(|top| &*top.finish.uncommon)
         && (ior.is_some() || caustics.is_some())
@@ -55,7 +55,10 @@ fn add_finish_words(object: &Object, interior: &mut Option<Arc<Interior>>) {
         inside.caustics = caustics.unwrap_or(inside.caustics);
     }
     if let ObjectKind::Csg(_, parts) = &object.kind {
-        parts.iter().filter(|part| part.uncommon.interior.is_none()).for_each(|part| add_finish_words(part, interior));
+        parts
+            .iter()
+            .filter(|part| part.uncommon.interior.is_none())
+            .for_each(|part| copy_ior_and_caustics(part, interior));
     }
 }
 

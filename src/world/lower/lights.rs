@@ -5,7 +5,7 @@ use crate::diagnostic::Result;
 use crate::light::LoweredLight;
 use crate::scene::{Flags, LightSource};
 use crate::world;
-use crate::world::lower::place::not_finite;
+use crate::world::lower::place::not_finite_error;
 
 impl Lowering {
     /// Lowers a light, and adds its `looks_like` object to the geometry.
@@ -18,7 +18,7 @@ impl Lowering {
         let mut light = lit.light.clone();
         light.transform(&own.place.now);
         if !light.location.is_finite() {
-            return not_finite(light.source).map(|()| None);
+            return not_finite_error(light.source).map(|()| None);
         }
         let through = match &lit.projected_through {
             Some(object) => {
@@ -48,8 +48,8 @@ impl Lowering {
     }
 
     /// Adds a light group and returns its number.
-    pub(super) fn add_group(&mut self, global: bool) -> u32 {
-        self.add(Group { lights: vec![], within: None, global })
+    pub(super) fn add_light_group(&mut self, global_lights: bool) -> u32 {
+        self.add(Group { lights: vec![], within: None, global: global_lights })
     }
 
     fn add(&mut self, group: Group) -> u32 {

@@ -26,7 +26,7 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use inherited::{Inherited, combined_flags, hollow_of_last_shape, interior_of};
 use instances::Copies;
-use place::{BlockSpace, PlacedTexture, not_finite};
+use place::{BlockSpace, PlacedTexture, not_finite_error};
 use shared::{LoweredTable, SharedSurfaceParts};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -242,7 +242,7 @@ impl Lowering {
         let of_group = inherited.interior.is_some() && object.uncommon.interior.is_none();
         let interior = if of_group { None } else { interior_of(object) };
         let flags = combined_flags(object, inherited.flags);
-        let lights = object.uncommon.light_group.map(|global| self.add_group(global));
+        let lights = object.uncommon.light_group.map(|global| self.add_light_group(global));
         let group = lights.unwrap_or(inherited.light_set);
         let hollow = || hollow_of_last_shape(object, inherited.flags.hollow).unwrap_or(flags.hollow);
         Ok(Inherited {
@@ -304,7 +304,7 @@ impl Lowering {
         self.interiors.len() as u32 - 1
     }
 
-    fn add_air(&mut self, hollow: bool) -> u32 {
+    fn add_default_interior(&mut self, hollow: bool) -> u32 {
         self.add_interior(self.air.clone(), hollow)
     }
 
@@ -331,7 +331,7 @@ impl Lowering {
     fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Inherited) -> Result<Solid> {
         let bounds = shape.bounds_under(&own.place.now);
         if bounds.min.is_nan() || bounds.max.is_nan() {
-            return not_finite(object.source);
+            return not_finite_error(object.source);
         }
         self.has_origin_dependent_hits |= shape.quirks().hits_depend_on_origin;
         let look = own.texture.clone().unwrap_or_else(|| self.default_look());
@@ -355,7 +355,7 @@ impl Lowering {
             .chain(others.into_iter().flatten())
             .chain(embedded.iter())
             .all(|placed| self.materials[placed.material as usize].opaque);
-        let interior = own.interior.unwrap_or_else(|| self.add_air(own.has_hollow_air()));
+        let interior = own.interior.unwrap_or_else(|| self.add_default_interior(own.has_hollow_air()));
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, no_shadow, .. } = own.flags;
         let light_set = own.light_set;
@@ -447,7 +447,7 @@ impl Lowering {
         let joins = matches!(op, CsgOp::Union | CsgOp::Merge);
         if within.interior.is_none() {
             // quirk: csg_parts_share_interior
-            within.interior = Some(self.add_air(own.has_hollow_air()));
+            within.interior = Some(self.add_default_interior(own.has_hollow_air()));
         }
         // Inverted, a union is an intersection and vice versa. Parts of a union do not cut each other.
         if joins != own.inverted {
@@ -479,7 +479,7 @@ impl Lowering {
         }
         let interior = match within.interior {
             Some(interior) => interior,
-            None => self.add_air(own.has_hollow_air()),
+            None => self.add_default_interior(own.has_hollow_air()),
         };
         let number = self.add_object(own, opaque, interior);
         let node = match op {

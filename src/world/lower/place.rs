@@ -80,7 +80,7 @@ fn checked_product(
 fn checked(transform: Transform, source: Span) -> Result<Transform> {
     let Transform { m, inv } = &transform;
     if !m.is_finite() {
-        return not_finite(source);
+        return not_finite_error(source);
     }
     if !inv.is_finite() || m.matrix3.determinant() == 0.0 || inv.matrix3.determinant() == 0.0 {
         let message = "all the transforms of this object together flatten it";
@@ -91,7 +91,7 @@ fn checked(transform: Transform, source: Span) -> Result<Transform> {
     Ok(transform)
 }
 
-pub(super) fn not_finite<T>(source: Span) -> Result<T> {
+pub(super) fn not_finite_error<T>(source: Span) -> Result<T> {
     Diagnostic::new(codes::NOT_FINITE, source, "a number that places this object is infinite or not a number")
         .help("look for a division by zero, or a number that grows in a loop")
         .into()

@@ -6,7 +6,8 @@ use crate::world::geometry::GeometryBuilder;
 use crate::world::node::{NodeParts, SolidKind, SolidNode};
 
 impl Lowering {
-    /// Adds an object of the scene, whose parts are numbered from `first` on.
+    /// Adds an object of the scene with a separate view for each kind of ray from which parts are hidden. The numbers
+    /// of the object's parts in [`Lowering::objects`] start at `first`.
     pub(super) fn add_views(&mut self, node: SolidNode, first: usize, builder: &mut GeometryBuilder) {
         match self.objects[first..].iter().all(|object| object.image && object.reflection) {
             true => builder.add(node),

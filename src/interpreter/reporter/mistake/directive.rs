@@ -31,7 +31,7 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<CommonMis
 }
 
 /// Recognizes the mistake `#define A 2` for a declaration.
-pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn define_directive(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_directive_and_rest(source, d)? else {
         return None;
     };
@@ -40,7 +40,7 @@ pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistak
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
         None => format!("write `#declare {name} = {};`", value_text(rest.trim_start().trim_start_matches('='))),
     };
-    Some(CommonMistake::help(help).declares(name))
+    Some(CommonMistake::help(help).leaves_undeclared(name))
 }
 
 /// Recognizes the mistake `#elsif (A)` for `#elseif`.
@@ -58,14 +58,14 @@ pub(super) fn other_end_spelling(source: &SourceLine, d: &Diagnostic) -> Option<
 }
 
 /// Recognizes the mistake `#Size = 3;`, without the word `declare`.
-pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn assignment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = unknown_directive_and_rest(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
-    Some(CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
+    Some(CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value))).leaves_undeclared(name))
 }
 
 /// Recognizes the mistake `# the red ball` for a comment.
-pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn comment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     unknown_directive_and_rest(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
@@ -74,7 +74,7 @@ pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMista
 }
 
 /// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
-pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn misspelt_directive(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (_, rest) = unknown_directive_and_rest(source, d)?;
     let rest = rest.trim_start();
     let habit = CommonMistake::help(d.help.clone()?);
@@ -85,7 +85,7 @@ pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<CommonMist
     let loses_directive = matches!(d.help.as_deref(), Some(help) if ["#macro", "#if", "#for", "#while", "#switch"].iter().any(|w| help.contains(w)));
     let habit = CommonMistake { loses_directive, ..habit };
     Some(match split_leading_name(rest) {
-        Some((name, _)) => habit.declares(name),
+        Some((name, _)) => habit.leaves_undeclared(name),
         None => habit,
     })
 }
@@ -102,7 +102,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMista
 }
 
 /// Recognizes the mistake `for (int i = 0; i < 10; i++) {`, with or without `#`.
-pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.statement();
     let bare = !statement.starts_with('#');
     let head = statement.trim_start_matches('#').trim_start().strip_prefix("for")?.trim_start().strip_prefix('(')?;
@@ -128,7 +128,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake
     let start = source.statement_start();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
-    Some(habit.code(codes::SYNTAX).declares(counter))
+    Some(habit.code(codes::SYNTAX).leaves_undeclared(counter))
 }
 
 /// Recognizes the mistake `#include colors.inc`, a file name without quotes.
@@ -168,7 +168,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
 }
 
 /// Recognizes the mistakes `macro Ball(R)`, `if (A = 1)` and `def Ball(r):`, without `#`.
-pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.statement();
     let (word, rest) = split_leading_name(statement)?;
     if source.at != source.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {

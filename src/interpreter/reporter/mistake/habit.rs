@@ -46,7 +46,7 @@ impl CommonMistake {
         self
     }
 
-    pub(super) fn declares(mut self, name: &str) -> Self {
+    pub(super) fn leaves_undeclared(mut self, name: &str) -> Self {
         self.names.push(name.into());
         self
     }
@@ -71,21 +71,21 @@ type Recognizer = fn(&SourceLine, &Diagnostic) -> Option<CommonMistake>;
 /// Functions that recognize common mistakes, in order of precedence.
 const COMMON_MISTAKES: &[Recognizer] = &[
     directive::hex_color,
-    directive::define,
+    directive::define_directive,
     directive::other_elseif_spelling,
     directive::other_end_spelling,
-    directive::assignment,
-    directive::comment,
-    directive::misspelt,
+    directive::assignment_after_hash,
+    directive::comment_after_hash,
+    directive::misspelt_directive,
     directive::else_if,
-    directive::c_for,
+    directive::c_style_for,
     directive::file_without_quotes,
     directive::braces_around_body,
-    directive::without_hash,
+    directive::directive_without_hash,
     statement::function_definition,
     statement::in_place_assignment,
     statement::typed_variable,
-    statement::assignment,
+    statement::assignment_without_declare,
     statement::modifier_behind_object,
     operator::operator_at_end,
     operator::not_equal,

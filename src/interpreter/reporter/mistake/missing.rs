@@ -70,8 +70,8 @@ impl Reporter<'_> {
         }
     }
 
-    /// Returns the error that a standard include file needs another one, with its place at the `#include` or macro call
-    /// in the author's own text.
+    /// Turns an error inside a standard include file into the error that this file needs the include file `missing`.
+    /// The place of the error is the `#include` or macro call in the author's own text.
     fn missing_include_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
         let Some((name, first)) = cause.uses.first() else { return d };
         let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));

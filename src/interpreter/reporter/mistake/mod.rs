@@ -58,7 +58,7 @@ impl Reporter<'_> {
         let is_habit = habit.is_some();
         if let Some(habit) = habit {
             let base = self.inputs.sources.base(source.file);
-            self.record_habit(&habit, source.file);
+            self.record_common_mistake(&habit, source.file);
             d = habit.apply_to(d, base);
         } else if self.is_consequence(&d, &source) {
             return None;
@@ -78,7 +78,7 @@ impl Reporter<'_> {
     }
 
     /// Records the names and files that a common mistake leaves undeclared or unread.
-    fn record_habit(&mut self, habit: &CommonMistake, file: FileId) {
+    fn record_common_mistake(&mut self, habit: &CommonMistake, file: FileId) {
         self.mistakes.names.extend(habit.names.iter().cloned());
         self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;

@@ -22,7 +22,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     let body = value_text(value);
     let habit = CommonMistake::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
     let habit = habit.message(format!("`{name}(…) = …` defines no function")).range(sign..sign + 1);
-    is_list.then(|| habit.code(codes::SYNTAX).declares(name))
+    is_list.then(|| habit.code(codes::SYNTAX).leaves_undeclared(name))
 }
 
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
@@ -53,11 +53,11 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Comm
     let start = source.statement_start();
     let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).range(start..start + kind.len());
-    Some(habit.code(codes::SYNTAX).declares(name))
+    Some(habit.code(codes::SYNTAX).leaves_undeclared(name))
 }
 
 /// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
-pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn assignment_without_declare(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = split_leading_non_keyword(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let sign = source.range_of(value).start - 1;
@@ -65,7 +65,7 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMi
     let habit =
         CommonMistake::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message("`=` is not allowed here").range(sign..sign + 1);
-    inside.then(|| habit.code(codes::SYNTAX).declares(name))
+    inside.then(|| habit.code(codes::SYNTAX).leaves_undeclared(name))
 }
 
 /// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.

@@ -119,7 +119,7 @@ impl Curve {
     }
 
     /// Minimum and maximum coordinates of the points of the curve.
-    pub fn point_bounds(&self) -> (DVec2, DVec2) {
+    pub fn curve_bounds(&self) -> (DVec2, DVec2) {
         let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let mut reach = |p: DVec2| (min, max) = (min.min(p), max.max(p));
         for segment in 0..self.segments.len() {
@@ -186,7 +186,7 @@ mod tests {
     fn ends_of_an_arch() {
         let p = [(0.0, 0.0), (1.0, 1.0), (2.0, 1.0), (3.0, 0.0)].map(|(x, y)| DVec2::new(x, y));
         let arch = Curve { degree: 3, segments: vec![p] };
-        assert_eq!(arch.point_bounds(), (DVec2::ZERO, DVec2::new(3.0, 0.75)));
+        assert_eq!(arch.curve_bounds(), (DVec2::ZERO, DVec2::new(3.0, 0.75)));
         assert_eq!(arch.control_bounds(), (DVec2::ZERO, DVec2::new(3.0, 1.0)));
         assert!(arch.tangent(0, 0.5).y.abs() < 1e-15);
     }

@@ -179,9 +179,9 @@ mod tests {
     fn as_pov_ray_tells() {
         // Largest radius and ends of lathes, by min_extent and max_extent.
         let p = points(&[(0.0, 0.0), (1.0, 0.5), (0.5, 1.0), (0.7, 2.0), (0.2, 3.0), (1.0, 4.0)]);
-        let (min, max) = single_outline(Quadratic, &p[..5]).point_bounds();
+        let (min, max) = single_outline(Quadratic, &p[..5]).curve_bounds();
         assert!((max - DVec2::new(1.020833333, 3.0)).length() < 1e-7 && min.y == 0.5, "{min} {max}");
-        let (min, max) = single_outline(Cubic, &p).point_bounds();
+        let (min, max) = single_outline(Cubic, &p).curve_bounds();
         assert!((max - DVec2::new(1.008820295, 3.0)).length() < 1e-7 && min.y == 0.5, "{min} {max}");
     }
 
