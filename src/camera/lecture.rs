@@ -129,7 +129,7 @@ mod tests {
         let view = camera.lower().view(64, 48);
         let window = view.flat_window().unwrap();
         for (i, j) in [(0, 0), (63, 47), (10, 30)] {
-            let ray = window.ray(i as f64 + 0.5, j as f64 + 0.5);
+            let ray = window.ray_at_pixel_position(i as f64 + 0.5, j as f64 + 0.5);
             assert!(ray.dir.distance(by_the_lecture(&camera, i, j, 64.0, 48.0)) < 1e-14);
         }
     }

@@ -93,8 +93,8 @@ impl View {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
         let (ray, place) = match &self.rays {
-            Rays::Window(window) if self.bumps.is_none() => return Some(window.ray(x, y)),
-            Rays::Window(window) => (window.ray(x, y), at()),
+            Rays::Window(window) if self.bumps.is_none() => return Some(window.ray_at_pixel_position(x, y)),
+            Rays::Window(window) => (window.ray_at_pixel_position(x, y), at()),
             Rays::Bent(bent) => bent.projection.ray_and_bump_position(at(), bent.origin, bent.axes, bent.lengths)?,
             // quirk: mesh_camera_bumps
             Rays::Faces(mesh) => (mesh.ray(x, y, n, self.size)?, DVec2::ZERO),

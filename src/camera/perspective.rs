@@ -30,7 +30,7 @@ impl Window {
     }
 
     /// Returns the unit camera ray through a point of the picture; the centre of pixel (i, j) is (i + ½, j + ½).
-    pub fn ray(&self, x: f64, y: f64) -> Ray {
+    pub fn ray_at_pixel_position(&self, x: f64, y: f64) -> Ray {
         let dir = self.corner + self.across * x + self.down * y;
         Ray::new(self.origin, dir.normalize())
     }

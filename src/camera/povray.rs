@@ -253,18 +253,19 @@ mod tests {
     #[test]
     fn the_default_camera_looks_along_z() {
         let window = window(&PovrayCamera::default(), 4, 3);
-        let ray = window.ray(2.0, 1.5);
+        let ray = window.ray_at_pixel_position(2.0, 1.5);
         assert_eq!((ray.origin, ray.dir), (DVec3::ZERO, DVec3::Z));
         // The top left corner of the window is at (-1.33/2, 1/2, 1)
         let corner = DVec3::new(-0.665, 0.5, 1.0).normalize();
-        assert!(window.ray(0.0, 0.0).dir.distance(corner) < 1e-15);
+        assert!(window.ray_at_pixel_position(0.0, 0.0).dir.distance(corner) < 1e-15);
     }
 
     #[test]
     fn angle_is_that_of_the_whole_width() {
         let camera = PovrayCamera { angle: Some(90.0), ..PovrayCamera::default() };
         let window = window(&camera, 100, 75);
-        let (left, right) = (window.ray(0.0, 37.5).dir, window.ray(100.0, 37.5).dir);
+        let (left, right) =
+            (window.ray_at_pixel_position(0.0, 37.5).dir, window.ray_at_pixel_position(100.0, 37.5).dir);
         assert!(left.dot(right).abs() < 1e-12);
     }
 
@@ -277,7 +278,7 @@ mod tests {
         };
         let window = window(&camera, 64, 48);
         assert!(window.across.y.abs() < 1e-15);
-        let middle = window.ray(32.0, 24.0).dir;
+        let middle = window.ray_at_pixel_position(32.0, 24.0).dir;
         assert!(middle.distance((DVec3::new(-1.0, -4.0, 7.0)).normalize()) < 1e-15);
     }
 

@@ -28,7 +28,7 @@ impl Sheared {
 
     /// Returns the sheared position of a triangle's corner with these coordinates in the order of `axes`.
     #[inline(always)]
-    pub(super) fn shear_corner(&self, corner: [f64; 3]) -> DVec3 {
+    pub(super) fn shear_reordered_corner(&self, corner: [f64; 3]) -> DVec3 {
         let [x, y, z] = corner;
         let z = z - self.from.z;
         DVec3::new((x - self.from.x) - self.shear.x * z, (y - self.from.y) - self.shear.y * z, z)
@@ -49,7 +49,7 @@ impl Sheared {
 
     /// Returns t and the barycentric weights of the second and third corner, where the ray's line hits the triangle.
     pub fn intersect(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
-        let [a, b, c] = corners.map(|p| self.shear_corner(self.axes.map(|axis| p[axis])));
+        let [a, b, c] = corners.map(|p| self.shear_reordered_corner(self.axes.map(|axis| p[axis])));
         let [u, v, w] = Self::signed_areas(a, b, c);
         let det = u + v + w;
         if !Self::have_equal_signs([u, v, w]) || det == 0.0 {

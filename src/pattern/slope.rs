@@ -97,7 +97,7 @@ fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
 }
 
 /// Maps x linearly from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
-fn linear_ramp(x: f64, [low, high]: [f64; 2]) -> f64 {
+fn unclamped_ramp(x: f64, [low, high]: [f64; 2]) -> f64 {
     if low == high { x } else { (x - low) / (high - low) }
 }
 
@@ -111,13 +111,13 @@ impl Field for Slope {
             Towards::Point(point) => point - at.world,
         };
         let facing = 1.0 - fp::acos(at.normal.dot(towards.normalize_or_zero())) / PI;
-        let slope = linear_ramp(facing, self.range);
+        let slope = unclamped_ramp(facing, self.range);
         let value = match self.altitude.as_deref() {
             None => slope,
             // weighted by the lengths of the two vectors
             Some(Altitude { up, range }) => {
                 let (by_slope, by_height) = (towards.length(), up.length());
-                let height = linear_ramp(at.p.dot(*up) / by_height, *range);
+                let height = unclamped_ramp(at.p.dot(*up) / by_height, *range);
                 (by_slope * slope + by_height * height) / (by_slope + by_height)
             }
         };

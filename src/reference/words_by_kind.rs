@@ -30,7 +30,7 @@ pub struct WordsByKind {
     pub continuers: Vec<&'static str>,
 }
 
-/// WordsByKind all words of the language by kind.
+/// Returns all words of the language by kind.
 pub fn words_by_kind() -> WordsByKind {
     let rows = || entries().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
     let objects = sorted(Shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));

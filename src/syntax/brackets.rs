@@ -105,7 +105,7 @@ impl Brackets {
 
     /// Closes the innermost bracket that matches the class `closer`, and returns the bracket and its token index.
     /// Brackets inside it stay unmatched.
-    pub(super) fn close(&mut self, closer: u8) -> Option<(Opener, usize)> {
+    pub(super) fn close_and_opener_token(&mut self, closer: u8) -> Option<(Opener, usize)> {
         let body = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_))).map_or(0, |i| i + 1);
         let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
         let own = self.stack[body..].iter().rev();

@@ -116,7 +116,8 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
         let message = format!("the `(` of this `#{word}` is not closed");
         let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
         let d = d.also(Span::new(base + next, base + next + 1), "this one");
-        return (!is_closed(&text[next..])).then(|| d.help(format!("it is written `#{word} ({form}) …`")));
+        return (!first_parenthesis_is_closed(&text[next..]))
+            .then(|| d.help(format!("it is written `#{word} ({form}) …`")));
     }
     let message = format!("expected `(` after `#{word}`, found {}", describe_text_at(text, next));
     let span = token_span(text, next, base);
@@ -124,7 +125,7 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
 }
 
 /// True if the text contains the partner of the parenthesis that it starts with.
-fn is_closed(text: &str) -> bool {
+fn first_parenthesis_is_closed(text: &str) -> bool {
     let mut depth = 0usize;
     text.chars().any(|c| {
         depth = match c {

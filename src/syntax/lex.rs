@@ -254,7 +254,7 @@ impl Lexer<'_> {
             return self.push(class::GREATER_EQUAL, 2, 0);
         }
         let class = if b == b'>' { class::VECTOR_END } else { b };
-        match self.brackets.close(class) {
+        match self.brackets.close_and_opener_token(class) {
             Some((opener, token)) => {
                 self.out.classes[token] = opener.opening_and_closing_class().0;
                 if opener == Opener::Brace {

@@ -153,14 +153,14 @@ impl Settings {
             // Types without grayscale are refused later, with the format's own message.
             self.change(|p| p.gray = true)
         } else if has_depth {
-            self.depth(rest)
+            self.set_bits_per_channel(rest)
         } else {
             rest.parse::<u8>().map(|_| ()).map_err(|_| "expected a number of bits".into())
         }
     }
 
     /// Sets the bits per channel: 5 to 16, rounded up to 8 or 16.
-    pub fn depth(&mut self, text: &str) -> Checked {
+    pub fn set_bits_per_channel(&mut self, text: &str) -> Checked {
         let bits = number::parse_whole_prefix(text)
             .filter(|bits| (1.0..=16.0).contains(bits))
             .ok_or("bits go from 5 to 16")?;

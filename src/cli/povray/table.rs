@@ -144,7 +144,7 @@ pub const ROWS: &[Row] = &[
     row_ignoring_sign("", "Histogram_Type", Text, Same),
     row_ignoring_sign("", "Histogram_Name", Text, Same),
     row_ignoring_sign("", "Histogram_Grid_Size", Text, Same),
-    row_ignoring_sign("", "Bits_Per_Color", Number, Part(|p, v| p.depth(v))),
+    row_ignoring_sign("", "Bits_Per_Color", Number, Part(|p, v| p.set_bits_per_channel(v))),
     row_ignoring_sign("", "Compression", Number, Idle("durer chooses the compression")),
     row_ignoring_sign("O", "Output_File_Name", Text, Part(|p, v| p.change(|p| p.output = Some(v.into())))),
     row_ignoring_sign("B", "Buffer_Output", MaybeNumber, Same),

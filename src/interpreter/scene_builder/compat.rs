@@ -33,8 +33,8 @@ pub fn has_srgb_files(version: u32) -> bool {
     version >= 370
 }
 
-/// True if a surface with a filter shows of its own light only the share that the filter's colour absorbs. `version` is
-/// in force at the end of the scene (quirk: `opacity_by_version`).
+/// True if the opacity of a colour is 1 - filter · (its brightest channel) - transmit, and not 1 - filter - transmit.
+/// `version` is in force at the end of the scene (quirk: `opacity_by_version`).
 pub fn has_opacity_by_color(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }

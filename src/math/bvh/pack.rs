@@ -91,7 +91,7 @@ pub(super) fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     for i in 0..HALF {
         let [a, b, c] = pack.numbers.each_ref().map(|numbers| {
             let number = usize::from(numbers[half % 2][i]) % MANY;
-            line.shear_corner(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
+            line.shear_reordered_corner(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
         });
         let found = Sheared::signed_areas(a, b, c);
         mask |= u32::from(Sheared::have_equal_signs(found)) << i;

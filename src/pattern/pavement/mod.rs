@@ -274,7 +274,7 @@ impl PavementLayout {
     }
 
     /// Height of a pavement at a corner of 120° between two joints, whose shape there is `form`. The point is `along`
-    /// from the corner, measured on the bisector of the corner.
+    /// from the corner, along the bisector of the corner.
     fn blunt_corner_height(&self, bevel_heights: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             JointShape::Cut => 2.0 - 4.0 * along,

@@ -321,13 +321,13 @@ impl SolidNode {
             SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_union(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped(ray, range),
             _ if self.composite.as_ref().is_some_and(|composite| composite.convex_parts) => {
-                self.closest_of_convex(ray, range)
+                self.closest_of_convex_parts(ray, range)
             }
             _ => self.closest_survivor(ray, range),
         }
     }
 
-    fn closest_of_convex<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+    fn closest_of_convex_parts<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let (min, max) = self.distances_through_box(ray, range)?;
         let merged = matches!(self.kind, SolidKind::Merge(_));
         let shows = |t| self.in_clip(ray.at(t));
