@@ -47,7 +47,7 @@ pub(super) fn uneven_pixels_warning(world: &World, options: &render::Options) ->
     let view = world.eye.view(options.width, options.height);
     // Projections without a window are distorted by their nature.
     let window = view.flat_window()?;
-    let middle = window.ray(options.width as f64 / 2.0, options.height as f64 / 2.0).dir;
+    let middle = window.ray_at_pixel_position(options.width as f64 / 2.0, options.height as f64 / 2.0).dir;
     let leans = |side: DVec3| side.dot(middle).abs() > 1e-3 * side.length();
     // A window that is not perpendicular to the view is intended.
     if leans(window.across) || leans(window.down) {
