@@ -31,11 +31,11 @@ pub fn f_hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
     let mut value = offset + signed_noise(p, generator);
-    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    let (mut i, mut weight, factor) = (1.0, 1.0, fp::pow(lacunarity, -h));
     let mut increment = || {
         p *= lacunarity;
-        frequency *= lacunarity;
-        (signed_noise(p, generator) + offset) * fp::pow(frequency, -h)
+        weight *= factor;
+        (signed_noise(p, generator) + offset) * weight
     };
     let power = t.clamp(0.0, 64.0) as i32;
     while i < octaves {
@@ -57,12 +57,12 @@ pub fn f_ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [
     };
     let mut signal = ridge(p);
     let mut sum = signal;
-    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    let (mut i, mut weight, factor) = (1.0, 1.0, fp::pow(lacunarity, -h));
     while i < octaves.min(MOST_OCTAVES) {
         p *= lacunarity;
-        frequency *= lacunarity;
+        weight *= factor;
         signal = ridge(p) * (signal * gain).clamp(0.0, 1.0);
-        sum += signal * fp::pow(frequency, -h);
+        sum += signal * weight;
         i += 1.0;
     }
     sum
@@ -168,10 +168,11 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
     let octaves = octaves.min(MOST_OCTAVES);
     let mut value = noise.signed_octave_bounds(1.0) + Interval::point(offset);
-    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    let (mut i, mut frequency, mut weight, factor) = (1.0, 1.0_f64, 1.0, fp::pow(lacunarity, -h));
     let mut increment = || {
         frequency *= lacunarity;
-        (noise.signed_octave_bounds(frequency) + Interval::point(offset)) * Interval::point(fp::pow(frequency, -h))
+        weight *= factor;
+        (noise.signed_octave_bounds(frequency) + Interval::point(offset)) * Interval::point(weight)
     };
     let power = t.clamp(0.0, 64.0) as usize;
     while i < octaves {
@@ -191,12 +192,13 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
     let ridge = |frequency: f64| (Interval::point(offset) + -noise.signed_octave_bounds(frequency).abs()).square();
     let mut signal = ridge(1.0);
     let mut sum = signal;
-    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    let (mut i, mut frequency, mut weight, factor) = (1.0, 1.0_f64, 1.0, fp::pow(lacunarity, -h));
     while i < octaves.min(MOST_OCTAVES) {
         frequency *= lacunarity;
-        let weight = signal * Interval::point(gain);
-        signal = ridge(frequency) * Interval { lo: weight.lo.clamp(0.0, 1.0), hi: weight.hi.clamp(0.0, 1.0) };
-        sum = sum + signal * Interval::point(fp::pow(frequency, -h));
+        weight *= factor;
+        let share = signal * Interval::point(gain);
+        signal = ridge(frequency) * Interval { lo: share.lo.clamp(0.0, 1.0), hi: share.hi.clamp(0.0, 1.0) };
+        sum = sum + signal * Interval::point(weight);
         i += 1.0;
     }
     without_nan(sum)
