@@ -326,7 +326,7 @@ fn lower_outcome(
     if let Some(scene) = &scene {
         diagnostics.extend(advice::scene_warnings(scene, sources));
     }
-    advice::remove_doubts_outside_folder(&mut diagnostics, sources, file);
+    advice::remove_three_doubts_outside(&mut diagnostics, sources, file);
     let start = options.host.elapsed();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,

@@ -14,10 +14,10 @@ const UNEVEN: f64 = 0.02;
 
 /// Returns the warning about a scene with several cameras.
 pub(super) fn several_cameras_warning(scene: &Scene) -> Option<Diagnostic> {
-    several(&scene.cameras)
+    cameras_differ_warning(&scene.cameras)
 }
 
-fn several(cameras: &[Span]) -> Option<Diagnostic> {
+fn cameras_differ_warning(cameras: &[Span]) -> Option<Diagnostic> {
     let (last, others) = cameras.split_last()?;
     // A macro or a loop may create one camera several times.
     let other = others.iter().find(|other| *other != last)?;
@@ -43,10 +43,10 @@ pub(super) fn view_along_sky_warning(scene: &Scene) -> Option<Diagnostic> {
 }
 
 /// Returns the warning about a picture whose pixels are not square.
-pub(super) fn uneven_pixels_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn non_square_pixels_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let view = world.eye.view(options.width, options.height);
     // Projections without a window are distorted by their nature.
-    let window = view.flat_window()?;
+    let window = view.window_of_unperturbed_rays()?;
     let middle = window.ray_at_pixel_position(options.width as f64 / 2.0, options.height as f64 / 2.0).dir;
     let leans = |side: DVec3| side.dot(middle).abs() > 1e-3 * side.length();
     // A window that is not perpendicular to the view is intended.
@@ -93,8 +93,8 @@ mod tests {
     #[test]
     fn one_camera_created_twice_counts_once() {
         let at = |lo| Span::new(lo, lo + 6);
-        assert!(several(&[at(1), at(1)]).is_none());
-        assert!(several(&[at(1), at(9)]).is_some());
-        assert!(several(&[]).is_none());
+        assert!(cameras_differ_warning(&[at(1), at(1)]).is_none());
+        assert!(cameras_differ_warning(&[at(1), at(9)]).is_some());
+        assert!(cameras_differ_warning(&[]).is_none());
     }
 }

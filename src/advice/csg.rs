@@ -46,7 +46,7 @@ pub(super) fn csg_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> 
 }
 
 /// Returns warnings about unions of one object, which are harmless.
-pub(super) fn single_part_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
+pub(super) fn single_object_union_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = CsgByTextPosition::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
     let joins = |object: &Object| matches!(written_csg_op(object), Some(CsgOp::Union | CsgOp::Merge));

@@ -30,7 +30,7 @@ pub(super) fn idle_photon_warnings(world: &World) -> Vec<Diagnostic> {
     };
     let warning = |text: &str, help: &str| Diagnostic::new(codes::IDLE_PHOTONS, settings.source, text).help(help);
     let of_objects = || world.objects.iter().map(|object| object.photons);
-    let targets: BTreeSet<u32> = of_objects().filter(|&number| is_target(world, number)).collect();
+    let targets: BTreeSet<u32> = of_objects().filter(|&number| is_photon_target_setting(world, number)).collect();
     let interacts = |&number: &u32| {
         let settings = &world.photons[number as usize];
         world.lights.iter().any(|light| settings.refracts_and_reflects(&light.emitter.photons).contains(&true))
@@ -55,7 +55,7 @@ pub(super) fn idle_photon_warnings(world: &World) -> Vec<Diagnostic> {
 }
 
 /// True if objects with the photon settings of this number are targets.
-fn is_target(world: &World, photon_settings: u32) -> bool {
+fn is_photon_target_setting(world: &World, photon_settings: u32) -> bool {
     world.photons[photon_settings as usize].target.is_some_and(|factor| factor > 0.0)
 }
 
@@ -88,8 +88,9 @@ const OVERLAP: f64 = 4.0;
 /// Returns the warning about photons or radiosity that take more than an hour of one processor.
 pub(super) fn slow_light_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let radiosity = world.radiosity.as_ref().filter(|settings| settings.saved.loaded.is_none());
-    let radiosity =
-        radiosity.map(|settings| (radiosity_time(settings, options), settings.source, "`count` or `recursion_limit`"));
+    let radiosity = radiosity.map(|settings| {
+        (max_radiosity_cpu_seconds(settings, options), settings.source, "`count` or `recursion_limit`")
+    });
     let gathering = |settings: &PhotonMapSettings| {
         let n_photons = if settings.count > 0.0 { settings.count } else { f64::INFINITY };
         options.rendered_region().n_pixels() as f64 * f64::from(settings.gather[1]).min(n_photons) * PHOTON_TIME
@@ -106,8 +107,8 @@ pub(super) fn slow_light_warning(world: &World, options: &render::Options) -> Op
 
 /// Returns an upper estimate of the time that radiosity takes, in seconds of one processor. The radius of a sample is at
 /// least `minimum_reuse` times its distance, so that it covers an area of the picture.
-fn radiosity_time(settings: &Radiosity, options: &render::Options) -> f64 {
-    let radius = settings.reuse_radius_limits()[0] * options.width as f64;
+fn max_radiosity_cpu_seconds(settings: &Radiosity, options: &render::Options) -> f64 {
+    let radius = settings.relative_reuse_radius_limits()[0] * options.width as f64;
     let n_pixels = (options.width * options.height) as f64;
     let n_samples = n_pixels * OVERLAP * f64::from(settings.nearest_count) / (PI * radius * radius);
     n_samples.min(n_pixels) * f64::from(settings.count) * f64::from(settings.recursion_limit) * GATHER_RAY_TIME

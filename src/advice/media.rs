@@ -61,7 +61,7 @@ const SAMPLE_TIME: f64 = 2e-7;
 pub(super) fn slow_media_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let lists = world.media.values().chain([&world.air]).filter(|media| !media.is_empty());
     let (samples, slowest) =
-        lists.map(|media| (samples_per_ray(world, media), &media[0])).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        lists.map(|media| (samples_with_shadow_rays(world, media), &media[0])).max_by(|a, b| a.0.total_cmp(&b.0))?;
     let pixels = options.region.map_or(options.width * options.height, |region| region.width * region.height);
     let hours = pixels as f64 * samples * SAMPLE_TIME / 3600.0;
     if hours < 1.0 {
@@ -73,7 +73,7 @@ pub(super) fn slow_media_warning(world: &World, options: &render::Options) -> Op
 }
 
 /// Returns the number of samples of media that are sampled together on a ray, those of its shadow rays included.
-fn samples_per_ray(world: &World, media: &[Medium]) -> f64 {
+fn samples_with_shadow_rays(world: &World, media: &[Medium]) -> f64 {
     let sampling = media[0].sampling;
     let of_interval = match sampling.method {
         SamplingMethod::Adaptive => sampling.min_samples + 1,

@@ -46,12 +46,12 @@ pub fn time_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.
 pub fn unusual_text_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    camera::view_along_sky_warning(scene).into_iter().chain(csg::single_part_warnings(scene, sources)).collect()
+    camera::view_along_sky_warning(scene).into_iter().chain(csg::single_object_union_warnings(scene, sources)).collect()
 }
 
 /// Removes three kinds of doubtful warnings (colours as bytes, rotations about all axes, falling map values) about
 /// files outside of the scene's folder, such as the standard includes. All other diagnostics stay.
-pub fn remove_doubts_outside_folder(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
+pub fn remove_three_doubts_outside(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
     let doubts = [codes::COLOR_OF_BYTES, codes::ALL_AXES, codes::FALLING_MAP];
     diagnostics.retain(|d| !doubts.contains(&d.code) || is_in_scene_folder(sources, scene, d.span()));
 }
@@ -81,7 +81,7 @@ pub fn picture_warnings(world: &World, options: &render::Options, circumstances:
     if options.width.min(options.height) < TINY {
         return out;
     }
-    out.extend(camera::uneven_pixels_warning(world, options));
+    out.extend(camera::non_square_pixels_warning(world, options));
     // A region of a picture may be empty.
     if options.region.is_some() {
         return out;
@@ -116,7 +116,7 @@ fn span_of_part(world: &World, part: u32) -> Span {
 }
 
 /// Formats a vector in the syntax of scenes with a suitable number of digits.
-fn in_scene_syntax(p: crate::math::DVec3) -> String {
+fn vector_in_scene_syntax(p: crate::math::DVec3) -> String {
     let short = |x: f64| format_decimal(x, if x.abs() >= 100.0 { 0 } else { 2 });
     format!("<{}, {}, {}>", short(p.x), short(p.y), short(p.z))
 }

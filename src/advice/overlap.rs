@@ -33,8 +33,8 @@ enum Coincidence {
 pub(super) fn coincidence_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic> {
     let mut pairs: FxHashMap<(u32, u32), u32> = FxHashMap::default();
     let mut out: Vec<Diagnostic> = vec![];
-    for ray in test_rays(world, options) {
-        for (a, b, kind) in coincident_part_pairs(world, &ray) {
+    for ray in rays_beside_pixel_centers(world, options) {
+        for (a, b, kind) in first_hit_coincident_pairs(world, &ray) {
             let places = pairs.entry((a, b)).or_insert(0);
             *places += 1;
             if *places == MIN_POINTS
@@ -52,19 +52,19 @@ pub(super) fn coincidence_warnings(world: &World, options: &render::Options) -> 
 }
 
 /// Returns test rays all over the picture, beside the centres of pixels, where objects often have edges.
-fn test_rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
+fn rays_beside_pixel_centers(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
     let (width, height) = (options.width as f64, options.height as f64);
     let view = world.eye.view(options.width, options.height);
     let count = MAX_RAYS.min(options.width * options.height / PIXELS_PER_RAY);
     // Low-discrepancy sequence R2 (Roberts 2018).
     (0..count).filter_map(move |i| {
         let part = |step: f64| (0.5 + step * (i + 1) as f64).fract();
-        view.ray(part(0.754_877_666_246_693) * width, part(0.569_840_290_998_053) * height)
+        view.ray_at_pixel_position(part(0.754_877_666_246_693) * width, part(0.569_840_290_998_053) * height)
     })
 }
 
 /// Returns the pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
-fn coincident_part_pairs(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
+fn first_hit_coincident_pairs(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id)) else { return vec![] };
     let near = TOLERANCE * (1.0 + seen.t());

@@ -1,6 +1,6 @@
 //! Warnings about pictures that show only the background, or only the inside of the object around the camera.
 
-use super::{first_shape_and_span, has_finite_box, hit_shape_and_span, in_scene_syntax, is_visible_to_camera};
+use super::{first_shape_and_span, has_finite_box, hit_shape_and_span, is_visible_to_camera, vector_in_scene_syntax};
 use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray, next_coprime};
@@ -15,11 +15,11 @@ const SAMPLES: usize = 200;
 const CENTRE: f64 = 0.5;
 
 pub(super) fn unseen_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    let (eye, at_eye) = (world.eye.frame.origin, opaque_objects_around(world, world.eye.frame.origin));
+    let (eye, at_eye) = (world.eye.frame.origin, opaque_objects_containing(world, world.eye.frame.origin));
     // Rays of some cameras have their own origins.
     let is_around = |ray: &Ray, object: &u32| match ray.origin == eye {
         true => at_eye.contains(object),
-        false => opaque_objects_around(world, ray.origin).contains(object),
+        false => opaque_objects_containing(world, ray.origin).contains(object),
     };
     let mut inside = None;
     // Anti-aliasing also samples between the centres of the pixels.
@@ -48,12 +48,12 @@ pub(super) fn sampled_first_hits<'a>(
     rays_through_pixels(world, options, CENTRE).take(SAMPLES).filter_map(|ray| first_visible_hit(world, &ray))
 }
 
-/// Returns rays through all pixels, at `pixel_offset` from the pixels' top left corners, in an order in which consecutive
+/// Returns rays through all pixels, at `offset_from_pixel_corner` from the pixels' top left corners, in an order in which consecutive
 /// rays are far from each other.
 fn rays_through_pixels(
     world: &World,
     options: &render::Options,
-    pixel_offset: f64,
+    offset_from_pixel_corner: f64,
 ) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
     let view = world.eye.view(options.width, options.height);
@@ -61,9 +61,9 @@ fn rays_through_pixels(
     let step = next_coprime(total * 618 / 1000 + 1, total);
     let places = (0..total).scan(total / 2, move |at, _| {
         *at = (*at + step) % total;
-        Some(((*at % width) as f64 + pixel_offset, (*at / width) as f64 + pixel_offset))
+        Some(((*at % width) as f64 + offset_from_pixel_corner, (*at / width) as f64 + offset_from_pixel_corner))
     });
-    places.filter_map(move |(x, y)| view.ray(x, y))
+    places.filter_map(move |(x, y)| view.ray_at_pixel_position(x, y))
 }
 
 fn first_visible_hit<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
@@ -72,7 +72,7 @@ fn first_visible_hit<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>
 }
 
 /// Returns the indices of the opaque objects that contain the camera.
-fn opaque_objects_around(world: &World, eye: DVec3) -> FxHashSet<u32> {
+fn opaque_objects_containing(world: &World, eye: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
     world.geometry.containing(eye, &mut |item| {
         if world.objects.get(item.object() as usize).is_some_and(|o| o.image && o.opaque) {
@@ -137,7 +137,7 @@ impl InvisibilityReason {
     fn classify(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
         let (width, height) = (options.width as f64, options.height as f64);
         let view = world.eye.view(options.width, options.height);
-        let Some(window) = view.flat_window() else { return InvisibilityReason::Missed };
+        let Some(window) = view.window_of_unperturbed_rays() else { return InvisibilityReason::Missed };
         let (right, down) = (window.across * width, window.down * height);
         let ahead = window.corner + (right + down) * 0.5;
         // p = origin + depth · (ahead + x·right + y·down)
@@ -182,9 +182,9 @@ impl InvisibilityReason {
                 "move the camera closer, or make the object larger with `scale`".into()
             }
             (_, Projection::Lecture { .. }) => {
-                format!("`center {}` in the camera turns the camera to it", in_scene_syntax(bounds.center()))
+                format!("`center {}` in the camera turns the camera to it", vector_in_scene_syntax(bounds.center()))
             }
-            _ => format!("`look_at {}` in the camera turns the camera to it", in_scene_syntax(bounds.center())),
+            _ => format!("`look_at {}` in the camera turns the camera to it", vector_in_scene_syntax(bounds.center())),
         }
     }
 }

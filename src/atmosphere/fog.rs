@@ -4,7 +4,7 @@
 //! fog { distance 30 rgb <0.8, 0.85, 0.9> }
 //! ```
 
-use super::{Segment, with_minimum_transmittance};
+use super::{Segment, max_transmittance_or_transmit};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
@@ -103,7 +103,7 @@ impl Fog {
                         fog.transform(&step);
                     }
                 }
-                Next::Word(_) | Next::Value if r.is_at_color()? => fog.color = r.color()?,
+                Next::Word(_) | Next::Value if r.may_be_at_color()? => fog.color = r.color()?,
                 _ => return Err(r.unknown_word_in(&FOG)),
             }
         }
@@ -123,20 +123,20 @@ impl Fog {
         let far = length / self.distance;
         let mut depth = far;
         if self.fog_type.trunc() == 2.0 {
-            depth *= self.density(ray, length);
+            depth *= self.mean_ground_density(ray, length);
         }
         if self.turbulence.amount != DVec3::ZERO {
             let stirred = (ray.origin + ray.dir * (0.5 * length)) * self.turbulence.amount;
             let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.to_octaves(), noise);
             depth *= 1.0 - gap.min(1.0) * fp::exp(-far);
         }
-        let clear = with_minimum_transmittance(&self.color, fp::exp(-depth));
+        let clear = max_transmittance_or_transmit(&self.color, fp::exp(-depth));
         Segment::from_color(self.color.rgb, clear, self.color.filter)
     }
 
     /// Mean density of ground fog along a ray: 1 up to the offset, 1/(1 + z²) at height z above it, in units of
     /// `fog_alt`. The integral of the density is z below and atan z above the offset.
-    fn density(&self, ray: &Ray, length: f64) -> f64 {
+    fn mean_ground_density(&self, ray: &Ray, length: f64) -> f64 {
         let up = self.up.normalize_or(DVec3::Y);
         let from = ray.origin.dot(up) - self.fog_offset;
         let to = from + ray.dir.dot(up) * length;
@@ -156,7 +156,7 @@ impl Fog {
 
 /// Combines all fogs of a scene along a ray: the radiances are added, the transmittances are multiplied (quirk:
 /// `fogs_add`).
-pub fn combine_fogs(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+pub fn combine_fogs_adding_radiance(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
     fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,
         transmittance: all.transmittance * one.transmittance,

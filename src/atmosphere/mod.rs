@@ -7,8 +7,8 @@ mod rainbow;
 mod sky_sphere;
 
 pub use background::{Background, ViewKind};
-pub use fog::{FOG, Fog, combine_fogs};
-pub use rainbow::{RAINBOW, Rainbow, combine_rainbows};
+pub use fog::{FOG, Fog, combine_fogs_adding_radiance};
+pub use rainbow::{RAINBOW, Rainbow, average_rainbows};
 pub use sky_sphere::{SKY_SPHERE, SkySphere};
 
 use crate::color::{Color, Rgb};
@@ -48,6 +48,6 @@ impl Segment {
 }
 
 /// Returns the larger of a transmittance and the colour's `transmit`.
-fn with_minimum_transmittance(color: &Color, transmittance: f64) -> f64 {
+fn max_transmittance_or_transmit(color: &Color, transmittance: f64) -> f64 {
     transmittance.max(color.transmit)
 }

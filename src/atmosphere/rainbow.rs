@@ -5,7 +5,7 @@
 //! rainbow { direction <0, -0.3, 1> angle 42 width 6 color_map { [0 rgbt <1, 0, 0, 0.6>] [1 rgbt <0, 0, 1, 0.6>] } }
 //! ```
 
-use super::{Segment, with_minimum_transmittance};
+use super::{Segment, max_transmittance_or_transmit};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
@@ -168,34 +168,34 @@ impl Rainbow {
         }
         let color = map.color_at(index);
         let open = 1.0 - shown + shown * color.transmit;
-        let clear = with_minimum_transmittance(
+        let clear = max_transmittance_or_transmit(
             &crate::color::Color { transmit: open, ..color },
             fp::exp(-length / self.distance),
         );
         Some(Segment::from_color(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
-    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `across_axis` is the component of the ray's
+    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `direction_across_axis` is the component of the ray's
     /// direction across the rainbow's axis.
-    fn arc_strength(&self, across_axis: DVec3, direction: DVec3) -> f64 {
+    fn arc_strength(&self, direction_across_axis: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
-        let from_up = across_axis.angle_between(up);
+        let from_up = direction_across_axis.angle_between(up);
         let (full, ends) = (self.falloff_angle / 2.0, self.arc_angle / 2.0);
         match from_up {
             a if a.is_nan() || a <= full => 1.0,
             a if a >= ends => 0.0,
-            a => 1.0 - smooth_step((a - full) / (ends - full)),
+            a => 1.0 - unclamped_smooth_step((a - full) / (ends - full)),
         }
     }
 }
 
 /// Returns 3x² - 2x³, which rises smoothly from 0 to 1.
-fn smooth_step(x: f64) -> f64 {
+fn unclamped_smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
 /// Combines all rainbows that a ray meets along its length: returns their mean (quirk: `rainbows_average`).
-pub fn combine_rainbows(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
+pub fn average_rainbows(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
     let met: smallvec::SmallVec<[Segment; 2]> =
         rainbows.iter().filter_map(|rainbow| rainbow.segment(ray, length, random)).collect();
     if met.is_empty() {
@@ -230,7 +230,7 @@ mod tests {
     }
 
     fn seen(rainbows: &[Rainbow], from_up: f64, length: f64) -> Rgb {
-        let veil = combine_rainbows(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
+        let veil = average_rainbows(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
         veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25)
     }
 
@@ -247,6 +247,6 @@ mod tests {
         close(seen(std::slice::from_ref(&arc), 30.0, plane), [0.64774, 0.44197, 0.37263]);
         let near = Rainbow { distance: 30.0, ..bow(color(0.0, 0.0)) };
         close(seen(&[bow(color(0.0, 0.0)), near], 0.0, plane), [0.37366, 0.42171, 0.52403]);
-        assert_eq!(combine_rainbows(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
+        assert_eq!(average_rainbows(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
     }
 }

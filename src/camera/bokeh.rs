@@ -32,10 +32,10 @@ impl Bokeh {
         })
     }
 
-    fn from_brightness(brightness: impl Fn(DVec2) -> f64) -> Self {
+    fn from_brightness(brightness_on_unit_square: impl Fn(DVec2) -> f64) -> Self {
         let middle = |cell: usize| (cell as f64 + 0.5) / SIDE as f64;
         let light = |x, y| {
-            let light = brightness(DVec2::new(middle(x), middle(y)));
+            let light = brightness_on_unit_square(DVec2::new(middle(x), middle(y)));
             // NaN counts as dark.
             if light > 0.0 { light.min(1.0) } else { 0.0 }
         };
@@ -47,7 +47,7 @@ impl Bokeh {
     /// Returns a point of the lens, from -1 to 1 to the right and up, for two numbers in [0, 1): inverts the
     /// distribution of the rows, then of the cells of a row (Pharr, Jakob, Humphreys: Physically Based Rendering, 2016,
     /// 13.6.7). Neighbours stay neighbours.
-    pub(super) fn sample_lens(&self, random: DVec2) -> DVec2 {
+    pub(super) fn sample_lens_square(&self, random: DVec2) -> DVec2 {
         let (row, y) = invert_distribution(&self.rows, random.y);
         let (_, x) = invert_distribution(&self.cells[row], random.x);
         // The pigment's y axis points down.
@@ -59,7 +59,7 @@ impl Bokeh {
     fn mean_position(&self) -> DVec2 {
         let n = 200;
         let at = |i: usize| (i as f64 + 0.5) / n as f64;
-        let sum: DVec2 = (0..n * n).map(|i| self.sample_lens(DVec2::new(at(i % n), at(i / n)))).sum();
+        let sum: DVec2 = (0..n * n).map(|i| self.sample_lens_square(DVec2::new(at(i % n), at(i / n)))).sum();
         sum / (n * n) as f64
     }
 }
@@ -108,7 +108,7 @@ mod tests {
     fn what_is_no_light_is_as_good_as_any() {
         for none in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let lens = Bokeh::from_brightness(|_| none);
-            assert_eq!(lens.sample_lens(DVec2::splat(0.25)), DVec2::new(-0.5, 0.5), "{none}");
+            assert_eq!(lens.sample_lens_square(DVec2::splat(0.25)), DVec2::new(-0.5, 0.5), "{none}");
         }
     }
 }

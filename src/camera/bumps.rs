@@ -23,9 +23,11 @@ impl Bumps {
 
     /// Returns the camera ray whose direction is the perturbed normal at a position of the picture: from -½ to ½ to the
     /// right and up for flat cameras, angles and lengths of the formula for others (quirk: `camera_normal_position`).
-    pub(super) fn perturb_ray(&self, ray: Ray, position: DVec2) -> Ray {
-        let ctx =
-            TextureContext { waves: self.waves, ..TextureContext::without_surface(position.extend(0.0), self.noise) };
+    pub(super) fn perturb_ray(&self, ray: Ray, bump_position: DVec2) -> Ray {
+        let ctx = TextureContext {
+            waves: self.waves,
+            ..TextureContext::without_surface(bump_position.extend(0.0), self.noise)
+        };
         Ray::new(ray.origin, self.program.perturb(&ctx, ray.dir).normalize_or(ray.dir))
     }
 }

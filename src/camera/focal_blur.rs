@@ -145,21 +145,22 @@ impl Lens {
             && sum_of_squared_deviations * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
-    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `lens_sample` in [0, 1)²
+    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `unit_square_sample` in [0, 1)²
     /// selects the point, `axes` are the camera's unit vectors right, up and ahead.
-    pub fn ray_through_lens(&self, ray: &Ray, lens_sample: DVec2, axes: &[DVec3; 3]) -> Ray {
+    pub fn ray_through_lens(&self, ray: &Ray, unit_square_sample: DVec2, axes: &[DVec3; 3]) -> Ray {
         let [right, up, ahead] = *axes;
         let focus = ray.at(self.distance / ray.dir.dot(ahead));
-        let at =
-            self.bokeh.as_ref().map_or_else(|| square_to_disc(lens_sample), |bokeh| bokeh.sample_lens(lens_sample))
-                * self.radius;
+        let at = self.bokeh.as_ref().map_or_else(
+            || unit_square_to_disc(unit_square_sample),
+            |bokeh| bokeh.sample_lens_square(unit_square_sample),
+        ) * self.radius;
         let origin = ray.origin + right * at.x + up * at.y;
         Ray::new(origin, (focus - origin).normalize_or(ray.dir))
     }
 }
 
 /// Maps the unit square to the unit disc; preserves areas and neighbours (Shirley and Chiu 1997).
-fn square_to_disc(square: DVec2) -> DVec2 {
+fn unit_square_to_disc(square: DVec2) -> DVec2 {
     let p = square * 2.0 - 1.0;
     if p == DVec2::ZERO {
         return p;

@@ -76,24 +76,24 @@ impl LectureCamera {
 /// and a missing one follows from square pixels.
 pub(super) fn lecture_window(
     frame: &Frame,
-    (tan_x, tan_y): (Option<f64>, Option<f64>),
+    (tan_half_x, tan_half_y): (Option<f64>, Option<f64>),
     width: usize,
     height: usize,
 ) -> Window {
     let aspect = width as f64 / height as f64;
-    let tan_x = tan_x.or(tan_y.map(|y| y * aspect)).unwrap_or(aspect);
-    let tan_y = tan_y.unwrap_or(tan_x / aspect);
+    let tan_half_x = tan_half_x.or(tan_half_y.map(|y| y * aspect)).unwrap_or(aspect);
+    let tan_half_y = tan_half_y.unwrap_or(tan_half_x / aspect);
     let Frame { origin, direction, right: u, up: v } = *frame;
     Window {
         origin,
-        corner: -u * tan_x + v * tan_y + direction,
-        across: u * (2.0 * tan_x / width as f64),
-        down: v * (-2.0 * tan_y / height as f64),
+        corner: -u * tan_half_x + v * tan_half_y + direction,
+        across: u * (2.0 * tan_half_x / width as f64),
+        down: v * (-2.0 * tan_half_y / height as f64),
     }
 }
 
 /// Reads a camera's angle of view in degrees.
-pub(super) fn read_field_of_view(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
+pub(super) fn read_field_of_view_degrees(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
     let (at, angle) = (r.span(), r.float()?);
     if angle > 0.0 && angle < 180.0 {
         return Ok(Some(angle));
@@ -127,7 +127,7 @@ mod tests {
             ..LectureCamera::default()
         };
         let view = camera.lower().view(64, 48);
-        let window = view.flat_window().unwrap();
+        let window = view.window_of_unperturbed_rays().unwrap();
         for (i, j) in [(0, 0), (63, 47), (10, 30)] {
             let ray = window.ray_at_pixel_position(i as f64 + 0.5, j as f64 + 0.5);
             assert!(ray.dir.distance(by_the_lecture(&camera, i, j, 64.0, 48.0)) < 1e-14);
@@ -138,7 +138,7 @@ mod tests {
     fn one_angle_gives_square_pixels() {
         let camera = LectureCamera { fov_y: Some(50.0), ..LectureCamera::default() };
         let view = camera.lower().view(300, 100);
-        let window = view.flat_window().unwrap();
+        let window = view.window_of_unperturbed_rays().unwrap();
         assert!((window.across.length() - window.down.length()).abs() < 1e-15);
     }
 }

@@ -83,13 +83,13 @@ impl View {
 
     /// Returns the unit camera ray through a point of the picture, in pixels from the top left corner; `None` where the
     /// camera has no ray.
-    pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
-        self.nth_ray(x, y, 0)
+    pub fn ray_at_pixel_position(&self, x: f64, y: f64) -> Option<Ray> {
+        self.nth_ray_at_pixels(x, y, 0)
     }
 
     /// Returns camera ray `n` of the several through a point of the picture, in pixels; only a mesh camera has
     /// more than one.
-    pub fn nth_ray(&self, x: f64, y: f64, n: usize) -> Option<Ray> {
+    pub fn nth_ray_at_pixels(&self, x: f64, y: f64, n: usize) -> Option<Ray> {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
         let (ray, place) = match &self.rays {
@@ -97,7 +97,7 @@ impl View {
             Rays::Window(window) => (window.ray_at_pixel_position(x, y), at()),
             Rays::Bent(bent) => bent.projection.ray_and_bump_position(at(), bent.origin, bent.axes, bent.lengths)?,
             // quirk: mesh_camera_bumps
-            Rays::Faces(mesh) => (mesh.ray(x, y, n, self.size)?, DVec2::ZERO),
+            Rays::Faces(mesh) => (mesh.ray_at_pixel_position(x, y, n, self.size)?, DVec2::ZERO),
         };
         Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.perturb_ray(ray, place)))
     }
@@ -113,7 +113,7 @@ impl View {
     }
 
     /// The flat window of a camera whose rays are not perturbed; `None` for any other camera.
-    pub fn flat_window(&self) -> Option<&Window> {
+    pub fn window_of_unperturbed_rays(&self) -> Option<&Window> {
         match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => Some(window),
             _ => None,

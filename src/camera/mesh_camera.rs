@@ -163,7 +163,7 @@ impl MeshRays {
 
     /// Returns the mesh camera's ray `ray_number` through a point of the picture, in pixels; `None` without a face (quirk:
     /// `mesh_camera_first_row`).
-    pub(super) fn ray(&self, x: f64, y: f64, ray_number: usize, picture_size: DVec2) -> Option<Ray> {
+    pub(super) fn ray_at_pixel_position(&self, x: f64, y: f64, ray_number: usize, picture_size: DVec2) -> Option<Ray> {
         let (x, y) = (x.min(picture_size.x - 1.0), y.max(1.0) - 1.0);
         let meshes = &self.camera.meshes;
         let index = x as usize + y as usize * picture_size.x as usize;
@@ -262,7 +262,7 @@ mod tests {
         let size = DVec2::new(4.0, 3.0);
         let layers = rays(Distribution::Layers, vec![mesh(6), mesh(20)]);
         let at = |rays: &MeshRays, x: usize, y: usize, size| {
-            rays.ray(x as f64 + 0.5, y as f64 + 0.5, 0, size).map(|ray| ray.origin.x - 1.0)
+            rays.ray_at_pixel_position(x as f64 + 0.5, y as f64 + 0.5, 0, size).map(|ray| ray.origin.x - 1.0)
         };
         let seen = |y| [0, 1, 2, 3].map(|x| at(&layers, x, y, size));
         assert_eq!(seen(0), [0.0, 1.0, 2.0, 3.0].map(Some));
@@ -281,8 +281,8 @@ mod tests {
         let uv = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let by_uv = rays(Distribution::Uv, vec![vec![face(0.0, uv), face(9.0, uv)]]);
         let size = DVec2::new(8.0, 8.0);
-        let ray = by_uv.ray(2.5, 6.5, 0, size).unwrap();
+        let ray = by_uv.ray_at_pixel_position(2.5, 6.5, 0, size).unwrap();
         assert_eq!((ray.origin, ray.dir), (DVec3::new(0.75, 0.75, -2.0), DVec3::NEG_Z));
-        assert!(by_uv.ray(7.5, 1.5, 0, size).is_none());
+        assert!(by_uv.ray_at_pixel_position(7.5, 1.5, 0, size).is_none());
     }
 }

@@ -247,7 +247,7 @@ mod tests {
     use crate::camera::Window;
 
     fn window(camera: &PovrayCamera, width: usize, height: usize) -> Window {
-        *camera.lower().view(width, height).flat_window().unwrap()
+        *camera.lower().view(width, height).window_of_unperturbed_rays().unwrap()
     }
 
     #[test]

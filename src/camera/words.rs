@@ -1,7 +1,7 @@
 //! Words of the cameras, for the readers and the manual.
 
 use super::focal_blur::BLUR_ROWS;
-use super::lecture::{LectureCamera, read_field_of_view};
+use super::lecture::{LectureCamera, read_field_of_view_degrees};
 use super::povray::{Kind, PovrayCamera};
 use crate::value::ValueKind::{Block, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
@@ -105,9 +105,9 @@ pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
         .sets(|s, r| set(&mut s.center, r.vector())),
     word("up", Vector, "<0, 1, 0>", "which way is up").sets(|s, r| set(&mut s.up, r.vector())),
     word("fov_x", Float, "60", "how much is seen from left to right, in degrees; or by `fov_y` and square pixels")
-        .sets(|s, r| set(&mut s.fov_x, read_field_of_view("fov_x", r))),
+        .sets(|s, r| set(&mut s.fov_x, read_field_of_view_degrees("fov_x", r))),
     word("fov_y", Float, "", "how much is seen from bottom to top, in degrees; or by `fov_x` and square pixels")
-        .sets(|s, r| set(&mut s.fov_y, read_field_of_view("fov_y", r))),
+        .sets(|s, r| set(&mut s.fov_y, read_field_of_view_degrees("fov_y", r))),
 ];
 
 /// Description of the lecture's camera, an addition of durer; right-handed.

@@ -27,7 +27,7 @@ thread_local! {
 pub struct Metered;
 
 /// Makes the process end as soon as more than `bytes` are in use; `None` for no limit.
-pub fn set_limit(bytes: Option<u64>) {
+pub fn end_process_above_bytes(bytes: Option<u64>) {
     LIMIT.store(bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX), Relaxed);
 }
 

@@ -57,12 +57,12 @@ impl Animation {
         Timing {
             clock: f64::from((f64::from(first) + range * passed / count) as f32),
             clock_on: true,
-            clock_delta: round_to_six_digits(range / count),
+            clock_delta: round_to_six_significant(range / count),
             frame,
             initial_frame: self.first,
             final_frame: self.last,
-            initial_clock: round_to_six_digits(self.clock.first),
-            final_clock: round_to_six_digits(self.clock.last),
+            initial_clock: round_to_six_significant(self.clock.first),
+            final_clock: round_to_six_significant(self.clock.last),
         }
     }
 }
@@ -73,7 +73,7 @@ pub fn still_picture_timing(clock: Option<Clock>) -> Timing {
     Timing { clock: value, clock_on: clock.is_some(), ..Timing::default() }
 }
 
-fn round_to_six_digits(x: f64) -> f64 {
+fn round_to_six_significant(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 

@@ -33,7 +33,7 @@ pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) ->
         }
         return Ok(exit);
     }
-    let print = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
+    let print = |line: &str| if human && !console.quiet { console.write_to_stdout(line) } else { Ok(()) };
     summary::process_each(console, &inputs.all, print, |console, input| {
         Ok((check(console, args, &animation, input)?, String::new()))
     })
@@ -92,7 +92,7 @@ fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagno
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
     match args.format {
         CheckFormat::Human => console.report(sources, diagnostics),
-        CheckFormat::Short => console.report_short(sources, diagnostics)?,
+        CheckFormat::Short => console.report_short_to_stdout(sources, diagnostics)?,
         CheckFormat::Json => console.report_json(sources, diagnostics)?,
     }
     Ok(())

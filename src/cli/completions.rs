@@ -10,6 +10,6 @@ use clap::CommandFactory;
 pub fn run(console: &Console, args: &CompletionsArgs) -> Result {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "durer", &mut script);
-    console.data(script)?;
+    console.write_to_stdout(script)?;
     Ok(Exit::Fine)
 }

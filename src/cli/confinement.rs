@@ -19,14 +19,14 @@ struct FileAccess {
 /// Confines this thread, and all threads that it starts, to the files of an untrusted command. `durer watch` is not
 /// confined, since it serves a page and starts an editor.
 pub fn confine(console: &Console, command: &Command) {
-    let Some(access) = file_access(command) else { return };
+    let Some(access) = untrusted_file_access(command) else { return };
     if !restrict_if_supported(access) && cfg!(target_os = "linux") {
         console.info("this system has no Landlock: only durer's own rules confine the untrusted scene\n");
     }
 }
 
 /// Returns the files of an untrusted command; `None` if the command is trusted.
-fn file_access(command: &Command) -> Option<FileAccess> {
+fn untrusted_file_access(command: &Command) -> Option<FileAccess> {
     let scene_access = |scene: &SceneArgs, inputs: &[PathBuf]| {
         let mut access = FileAccess::default();
         access.read.extend(inputs.iter().flat_map(|input| paths_readable_for_input(input)));
@@ -65,7 +65,7 @@ fn file_access(command: &Command) -> Option<FileAccess> {
                 .chain(args.include.iter().cloned())
                 .collect();
             let snapshots = paths.iter().filter(|_| args.accept).map(|path| written_folder(path));
-            let write = snapshots.chain(args.report.iter().map(|folder| parent(folder))).collect();
+            let write = snapshots.chain(args.report.iter().map(|folder| parent_or_current_folder(folder))).collect();
             environment_is_untrusted().then_some(FileAccess { read, write })
         }
         _ => None,
@@ -76,16 +76,16 @@ fn file_access(command: &Command) -> Option<FileAccess> {
 /// added for pipes such as `/dev/fd/63`.
 fn paths_readable_for_input(input: &Path) -> Vec<PathBuf> {
     let input = session::existing_scene_path(input);
-    let folder = if input.is_dir() { input.clone() } else { parent(&input) };
+    let folder = if input.is_dir() { input.clone() } else { parent_or_current_folder(&input) };
     vec![folder, input]
 }
 
 /// Returns the folder that a file is written into; `path` itself if it is a folder.
 fn written_folder(path: &Path) -> PathBuf {
-    if path.is_dir() { path.into() } else { parent(path) }
+    if path.is_dir() { path.into() } else { parent_or_current_folder(path) }
 }
 
-fn parent(path: &Path) -> PathBuf {
+fn parent_or_current_folder(path: &Path) -> PathBuf {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new(".")).into()
 }
 
@@ -137,7 +137,7 @@ mod tests {
     fn access(line: &str) -> Option<(Vec<String>, Vec<String>)> {
         let command = Cli::try_parse_from(line.split(' ')).unwrap().command;
         let texts = |paths: Vec<PathBuf>| paths.iter().map(|path| path.display().to_string()).collect();
-        file_access(&command).map(|access| (texts(access.read), texts(access.write)))
+        untrusted_file_access(&command).map(|access| (texts(access.read), texts(access.write)))
     }
 
     #[test]

@@ -72,7 +72,7 @@ impl Console {
     }
 
     /// Creates the console that is used before the command line is parsed.
-    pub fn plain() -> Self {
+    pub fn before_arguments() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
 
@@ -112,12 +112,12 @@ impl Console {
     }
 
     /// Writes a command's data to stdout.
-    pub fn data(&self, bytes: impl AsRef<[u8]>) -> Result<()> {
+    pub fn write_to_stdout(&self, bytes: impl AsRef<[u8]>) -> Result<()> {
         to_stdout(|out| out.write_all(bytes.as_ref()))
     }
 
     /// Writes data to stdout, as JSON on one line.
-    pub fn json(&self, value: &impl serde::Serialize) -> Result<()> {
+    pub fn write_json_to_stdout(&self, value: &impl serde::Serialize) -> Result<()> {
         to_stdout(|out| {
             serde_json::to_writer(&mut *out, value)?;
             out.write_all(b"\n")
@@ -126,12 +126,12 @@ impl Console {
 
     /// Writes a message to stderr, unless `--quiet` is given.
     pub fn info(&self, text: &str) {
-        self.print(Stream::Render, text);
+        self.print_povray_stream(Stream::Render, text);
     }
 
     /// Writes the text of one of POV-Ray's streams to stderr, unless the stream is silent, and copies the text into the
     /// stream's files.
-    pub fn print(&self, stream: Stream, text: &str) {
+    pub fn print_povray_stream(&self, stream: Stream, text: &str) {
         self.text_files.write(stream, text);
         if !self.quiet && !self.silent.contains(&stream) {
             print_message(text);
@@ -160,7 +160,7 @@ impl Console {
     /// line.
     pub fn povray_statistics(&self, text: &str) {
         if self.has_povray_lines() {
-            self.print(Stream::Statistics, text);
+            self.print_povray_stream(Stream::Statistics, text);
         } else {
             self.copy_to_text_files(Stream::Statistics, text);
         }
@@ -186,7 +186,7 @@ impl Console {
 
     /// Writes diagnostics as rendered by [`Console::format_and_count`] to stderr.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
-        self.copy_diagnostics(sources, diagnostics);
+        self.copy_diagnostics_to_files(sources, diagnostics);
         print_message(&self.format_and_count(sources, diagnostics));
     }
 
@@ -196,7 +196,7 @@ impl Console {
     }
 
     /// Copies diagnostics into the text files, without colours.
-    fn copy_diagnostics(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
+    fn copy_diagnostics_to_files(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
         if self.text_files.is_empty() {
             return;
         }
@@ -213,14 +213,14 @@ impl Console {
 
     /// Writes diagnostics to stdout for programs, one JSON object a line.
     pub fn report_json(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
-        diagnostics.iter().try_for_each(|d| self.json(&as_json(sources, d)))
+        diagnostics.iter().try_for_each(|d| self.write_json_to_stdout(&as_json(sources, d)))
     }
 
     /// Writes diagnostics to stdout for editors, one a line: `a.scene:3:7: error[E0204]: message`.
-    pub fn report_short(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
+    pub fn report_short_to_stdout(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         let wanted = |d: &&Diagnostic| !self.quiet || d.severity == Severity::Error;
         let lines: String = diagnostics.iter().filter(wanted).map(|d| d.line(sources) + "\n").collect();
-        self.data(lines)
+        self.write_to_stdout(lines)
     }
 
     /// Prints the reason of a failure, and returns the exit code.
@@ -232,7 +232,7 @@ impl Console {
             }
             other => {
                 if let Failure::Fault(fault) = &other {
-                    self.copy_diagnostics(&Sources::default(), std::slice::from_ref(fault));
+                    self.copy_diagnostics_to_files(&Sources::default(), std::slice::from_ref(fault));
                 }
                 let (exit, text) = self.exit_and_text_of(&Sources::default(), other);
                 print_message(&text);

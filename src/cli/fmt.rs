@@ -93,7 +93,7 @@ fn write_formatted(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded
     let is_same = old.text == new;
     let name = path.display().to_string();
     if args.diff {
-        console.data(diff(&name, &old.text, new))?;
+        console.write_to_stdout(diff(&name, &old.text, new))?;
     }
     if args.check {
         if !is_same {
@@ -105,7 +105,7 @@ fn write_formatted(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded
         return Ok(Exit::Fine);
     }
     if name == "-" {
-        console.data(old.encode(new))?;
+        console.write_to_stdout(old.encode(new))?;
     } else if !is_same {
         Disk.write(path, &old.encode(new)).map_err(|error| Box::new(file::unwritable(&Disk, path, &error)))?;
     }

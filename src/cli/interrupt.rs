@@ -112,7 +112,7 @@ fn handle_signal(signal_number: i32, first: &mut Option<Instant>) {
 }
 
 /// Returns the signal that asked the program to end; `None` before a signal.
-pub fn requested() -> Option<Signal> {
+pub fn received_end_signal() -> Option<Signal> {
     let number = match REQUESTED.load(SeqCst) {
         0 => FILE_SIZE.load(SeqCst),
         number => number,
@@ -235,7 +235,7 @@ impl Deadline {
     pub fn start(limit: Option<Seconds>, token: CancelToken, overrun: Overrun) -> Self {
         NOTICED.store(false, SeqCst);
         lock(&TOKENS).push(token.clone());
-        if requested().is_some() {
+        if received_end_signal().is_some() {
             token.cancel(CancelReason::Request);
         }
         if limit.is_some_and(|Seconds(seconds)| seconds == 0.0) {

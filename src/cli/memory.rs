@@ -51,7 +51,7 @@ pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, li
 
 /// Returns the memory limit without `--max-memory`: most of the free memory, so that a runaway scene ends with a
 /// message before the system kills the process.
-pub fn default_limit() -> Option<u64> {
+pub fn default_memory_limit() -> Option<u64> {
     let most = free_memory().map(|free| free / 10 * 9);
     // A growing list is copied: in a limited address space the old and the new copy both count.
     let limited = free_address_space().map(|free| free / 3);
@@ -60,7 +60,7 @@ pub fn default_limit() -> Option<u64> {
 
 /// Returns the memory in bytes above which the process ends at once, whatever it is doing: more than the interpreter's
 /// limit, whose messages have a position in the text. Without `--max-memory`, most of the free memory.
-pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
+pub fn memory_limit_ending_process(limit: Option<u64>) -> Option<u64> {
     limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| free_memory().map(|free| free / 20 * 19))
 }
 

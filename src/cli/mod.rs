@@ -60,7 +60,7 @@ fn commands() -> &'static clap::Command {
 pub fn main(words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
-        let mut console = Console::plain();
+        let mut console = Console::before_arguments();
         let exit = match parse(words, &mut console) {
             Ok((command, context)) => dispatch(&console, &command, context),
             Err(failure) => Err(failure),
@@ -89,7 +89,7 @@ fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Contex
     let dialect = if is_povray_line && !is_quiet { Dialect::Povray } else { Dialect::Durer };
     if is_povray_line {
         exit::use_povray_codes();
-        *console = Console::plain().with_dialect(dialect);
+        *console = Console::before_arguments().with_dialect(dialect);
     }
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(overlay::report(console, &sources, &diagnostics));

@@ -78,7 +78,7 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
     let timing = session::timing(&merged.scene, animation.as_ref())?;
     let text =
         session::within_limits(&merged.scene, || describe_pixel(console, args, &input, &merged.scene, timing, (x, y)))?;
-    console.data(text).map(|()| Exit::Fine)
+    console.write_to_stdout(text).map(|()| Exit::Fine)
 }
 
 /// Returns the output about a pixel of the picture.
@@ -100,13 +100,13 @@ fn describe_pixel(
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
     let pixel = PixelReport { sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
     let picked = render::pick(&world, &drawing, x, y);
-    let origin = picked.as_ref().and_then(|picked| outermost_object_index(&built, &drawing, (x, y), picked));
+    let outermost_index = picked.as_ref().and_then(|picked| outermost_object_index(&built, &drawing, (x, y), picked));
     if args.json {
-        let object = picked.as_ref().map(|p| pixel.describe(p, origin));
+        let object = picked.as_ref().map(|p| pixel.describe(p, outermost_index));
         let output = Output { hit: object.is_some(), object };
         return Ok(serde_json::to_string(&output).unwrap_or_default() + "\n");
     }
-    Ok(pixel.in_words(picked.as_ref(), origin))
+    Ok(pixel.in_words(picked.as_ref(), outermost_index))
 }
 
 /// Describes a pixel of a finished picture for a person; `color` is the pixel's colour.
@@ -166,16 +166,16 @@ struct PixelReport<'a> {
 
 impl PixelReport<'_> {
     /// Returns the position of the outermost object; `None` if the picked object has the same position.
-    fn outermost_position(&self, picked: &Picked, origin: Option<usize>) -> Option<Place> {
-        let object = self.built?.scene.as_ref()?.objects.get(origin?)?;
+    fn outermost_position(&self, picked: &Picked, outermost_index: Option<usize>) -> Option<Place> {
+        let object = self.built?.scene.as_ref()?.objects.get(outermost_index?)?;
         self.sources.place(object.source).filter(|_| object.source != picked.source)
     }
 
-    fn call_frames(&self, origin: Option<usize>) -> &[Label] {
-        origin.and_then(|at| self.built?.origins.get(at)).map_or(&[], Vec::as_slice)
+    fn call_frames(&self, outermost_index: Option<usize>) -> &[Label] {
+        outermost_index.and_then(|at| self.built?.origins.get(at)).map_or(&[], Vec::as_slice)
     }
 
-    fn describe<'p>(&self, p: &'p Picked, origin: Option<usize>) -> PickedObject<'p> {
+    fn describe<'p>(&self, p: &'p Picked, outermost_index: Option<usize>) -> PickedObject<'p> {
         let place = |span: Span| self.sources.place(span).map(Position::from);
         let step = |label: &Label| Step { text: label.text.clone(), place: place(label.span) };
         PickedObject {
@@ -186,35 +186,37 @@ impl PixelReport<'_> {
             uv: p.uv,
             color: self.color,
             source: place(p.source),
-            placed: self.outermost_position(p, origin).map(Position::from),
-            trace: self.call_frames(origin).iter().map(step).collect(),
+            placed: self.outermost_position(p, outermost_index).map(Position::from),
+            trace: self.call_frames(outermost_index).iter().map(step).collect(),
         }
     }
 
-    fn in_words(&self, picked: Option<&Picked>, origin: Option<usize>) -> String {
+    fn in_words(&self, picked: Option<&Picked>, outermost_index: Option<usize>) -> String {
         let color = format!(
             "  colour    rgb <{}>, on the screen {}\n",
-            list_with_six_digits(&self.color, 1.0),
+            list_with_significant_digits(&self.color, 1.0),
             hex_color(self.color)
         );
         let Some(p) = picked else {
             return format!("nothing but the background\n{color}");
         };
         let place = |span: Span| self.sources.place(span).map(|place| format!(" at {place}")).unwrap_or_default();
-        let placed =
-            self.outermost_position(p, origin).map(|place| format!("  placed at {place}\n")).unwrap_or_default();
+        let placed = self
+            .outermost_position(p, outermost_index)
+            .map(|place| format!("  placed at {place}\n"))
+            .unwrap_or_default();
         let trace: String =
-            self.call_frames(origin).iter().map(|l| format!("  {}{}\n", l.text, place(l.span))).collect();
+            self.call_frames(outermost_index).iter().map(|l| format!("  {}{}\n", l.text, place(l.span))).collect();
         let (point, normal, uv) = (
-            list_with_six_digits(&p.point, p.t),
-            list_with_six_digits(&p.normal, 1.0),
-            list_with_six_digits(&p.uv, 1.0),
+            list_with_significant_digits(&p.point, p.t),
+            list_with_significant_digits(&p.normal, 1.0),
+            list_with_significant_digits(&p.uv, 1.0),
         );
         format!(
             "{}{}\n{placed}{trace}  distance  {}\n  point     <{point}>\n  normal    <{normal}>\n  uv        <{uv}>\n{color}",
             p.shape,
             place(p.source),
-            list_with_six_digits(&[p.t], 0.0)
+            list_with_significant_digits(&[p.t], 0.0)
         )
     }
 }
@@ -226,10 +228,10 @@ fn hex_color(color: [f64; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Formats numbers with the decimal places that six digits of the largest one need (or of `scale`, if that is larger),
+/// Formats numbers with the decimal places that six digits of the largest one need (or of `reference_size`, if that is larger),
 /// since further digits are noise.
-fn list_with_six_digits(numbers: &[f64], scale: f64) -> String {
-    let largest = numbers.iter().fold(scale.abs(), |most, x| most.max(x.abs()));
+fn list_with_significant_digits(numbers: &[f64], reference_size: f64) -> String {
+    let largest = numbers.iter().fold(reference_size.abs(), |most, x| most.max(x.abs()));
     if !largest.is_finite() || largest == 0.0 {
         return numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     }
@@ -243,13 +245,13 @@ mod tests {
 
     #[test]
     fn lists_have_six_digits_of_the_largest_number() {
-        assert_eq!(list_with_six_digits(&[4.008710037062282], 0.0), "4.00871");
-        assert_eq!(list_with_six_digits(&[-0.0000001, 1.0, 0.99999999], 1.0), "0, 1, 1");
-        assert_eq!(list_with_six_digits(&[1e-9, -1e-9], 4.0), "0, 0");
-        assert_eq!(list_with_six_digits(&[1234567.25, 0.5], 0.0), "1234567, 0");
-        assert_eq!(list_with_six_digits(&[0.000123456789], 0.0), "0.000123457");
-        assert_eq!(list_with_six_digits(&[100.0, 20.0], 0.0), "100, 20");
-        assert_eq!(list_with_six_digits(&[0.0, f64::INFINITY], 0.0), "0, inf");
+        assert_eq!(list_with_significant_digits(&[4.008710037062282], 0.0), "4.00871");
+        assert_eq!(list_with_significant_digits(&[-0.0000001, 1.0, 0.99999999], 1.0), "0, 1, 1");
+        assert_eq!(list_with_significant_digits(&[1e-9, -1e-9], 4.0), "0, 0");
+        assert_eq!(list_with_significant_digits(&[1234567.25, 0.5], 0.0), "1234567, 0");
+        assert_eq!(list_with_significant_digits(&[0.000123456789], 0.0), "0.000123457");
+        assert_eq!(list_with_significant_digits(&[100.0, 20.0], 0.0), "100, 20");
+        assert_eq!(list_with_significant_digits(&[0.0, f64::INFINITY], 0.0), "0, inf");
     }
 
     #[test]

@@ -118,7 +118,7 @@ fn prepare(
         let mut world = session::report_and_take_world(console, sources, &mut built)?;
         let threads = args.threads.map_or(0, usize::from);
         let drawing = session::drawing_options(&args.scene, &args.look, threads, timing);
-        request_all_light(&mut world, output);
+        send_light_to_receiver(&mut world, output);
         if !console.quiet {
             console.report(sources, &advice::time_warnings(&world, &drawing));
         }
@@ -136,12 +136,12 @@ fn prepare(
         prepared_counts_in_words(&light),
         start.elapsed().as_secs_f64()
     ));
-    interrupt::requested().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
+    interrupt::received_end_signal().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
 }
 
 /// Makes the render of a World hand all photons and radiosity samples to the receiver of saved light, in place of
 /// writing them to the files that the scene names.
-fn request_all_light(world: &mut World, output: &Path) {
+fn send_light_to_receiver(world: &mut World, output: &Path) {
     let save = |kind| Some(SaveFile { kind, path: output.to_path_buf(), source: Span::NONE });
     if let Some(settings) = &mut world.photon_map {
         settings.saved.save = save(LightKind::Photons);

@@ -88,9 +88,9 @@ pub fn run(console: &Console, args: &QueryArgs) -> Result {
         Ok(contents(&built, &world, &sources))
     })?;
     if args.json {
-        console.json(&contents)?;
+        console.write_json_to_stdout(&contents)?;
     } else {
-        console.data(in_words(&contents))?;
+        console.write_to_stdout(in_words(&contents))?;
     }
     Ok(Exit::Fine)
 }
@@ -111,7 +111,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
             out.textures.len() - 1
         });
         out.textures[number].objects += 1;
-        let pov_bounds = pov_bounds(object);
+        let pov_bounds = surface_or_pov_bounds(object);
         let is_infinite = !pov_bounds.is_empty() && !is_finite(&pov_bounds);
         let corners =
             (is_finite(&pov_bounds) && !pov_bounds.is_empty()).then(|| [pov_bounds.min.into(), pov_bounds.max.into()]);
@@ -154,7 +154,7 @@ fn add_lights(object: &Object, parent_transform: &Transform, sources: &Sources, 
     }
 }
 
-fn light_row(light: &Light, moved: &Transform, sources: &Sources) -> LightRow {
+fn light_row(light: &Light, world_from_light: &Transform, sources: &Sources) -> LightRow {
     let kind = match light.beam {
         _ if light.parallel => "parallel",
         Beam::Round if light.spreads => "area_light",
@@ -163,7 +163,12 @@ fn light_row(light: &Light, moved: &Transform, sources: &Sources) -> LightRow {
         Beam::Cylinder(_) => "cylinder",
     };
     let source = sources.place(light.source).map(Position::from);
-    LightRow { source, kind, location: moved.transform_point(light.location).into(), color: light.color.into() }
+    LightRow {
+        source,
+        kind,
+        location: world_from_light.transform_point(light.location).into(),
+        color: light.color.into(),
+    }
 }
 
 fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
@@ -176,9 +181,9 @@ fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
                 let DVec3 { x, y, z } = color.rgb;
                 let clear = [color.filter, color.transmit];
                 if clear == [0.0; 2] {
-                    return format!("rgb {}", vector(&[x, y, z]));
+                    return format!("rgb {}", vector_with_four_decimals(&[x, y, z]));
                 }
-                format!("rgbft {}", vector(&[x, y, z, clear[0], clear[1]]))
+                format!("rgbft {}", vector_with_four_decimals(&[x, y, z, clear[0], clear[1]]))
             }
             other => innermost_word(other),
         },
@@ -204,7 +209,7 @@ fn innermost_word(thing: &impl Serialize) -> String {
 }
 
 /// Returns the bounding box of an object's surfaces, or the box of `max_extent` for an object that the World lacks.
-fn pov_bounds(object: &Object) -> Aabb {
+fn surface_or_pov_bounds(object: &Object) -> Aabb {
     Probe::new(object).map_or_else(|_| object.pov_bounds(), |probe| probe.bounds())
 }
 
@@ -226,14 +231,18 @@ fn in_words(contents: &Contents) -> String {
     for camera in &contents.cameras {
         let text = match (&camera.projection, camera.location, camera.direction) {
             (Some(projection), Some(at), Some(to)) => {
-                format!("{projection} at {}, looks along {}", vector(&at), vector(&to))
+                format!(
+                    "{projection} at {}, looks along {}",
+                    vector_with_four_decimals(&at),
+                    vector_with_four_decimals(&to)
+                )
             }
             _ => "not used: another one follows".into(),
         };
         rows.push([place(&camera.source), format!("camera    {text}")]);
     }
     for light in &contents.lights {
-        let (at, color) = (vector(&light.location), vector(&light.color));
+        let (at, color) = (vector_with_four_decimals(&light.location), vector_with_four_decimals(&light.color));
         rows.push([place(&light.source), format!("light     {} at {at}, rgb {color}", light.kind)]);
     }
     for same in contents.objects.chunk_by(|a, b| a.source == b.source && a.word == b.word) {
@@ -256,7 +265,11 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     let boxes = same.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
     let pov_bounds = match boxes.reduce(Aabb::union) {
         _ if same.iter().any(|row| row.infinite) => "infinite".into(),
-        Some(all) => format!("{} to {}", vector(&all.min.to_array()), vector(&all.max.to_array())),
+        Some(all) => format!(
+            "{} to {}",
+            vector_with_four_decimals(&all.min.to_array()),
+            vector_with_four_decimals(&all.max.to_array())
+        ),
         None => "empty".into(),
     };
     let shapes =
@@ -288,7 +301,7 @@ fn counted(n: usize, thing: &str) -> String {
 }
 
 /// Formats a vector with four decimal places, enough to find an object.
-fn vector(numbers: &[f64]) -> String {
+fn vector_with_four_decimals(numbers: &[f64]) -> String {
     let texts: Vec<_> =
         numbers.iter().map(|x| if x.is_finite() { format_decimal(*x, 4) } else { x.to_string() }).collect();
     format!("<{}>", texts.join(", "))

@@ -117,7 +117,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         size: (size.width, size.height),
         max_steps: args.max_steps,
         max_time: args.time_limit().map(|s| s.0),
-        max_memory: args.memory_limit().map(|b| b.0).or_else(memory::default_limit),
+        max_memory: args.memory_limit().map(|b| b.0).or_else(memory::default_memory_limit),
         host: Arc::new(MeteredHost::default()),
         cancel: CancelToken::current(),
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
@@ -128,7 +128,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
 
 /// Makes the process end if it needs more than `--max-memory`, or by default more than the free memory.
 pub fn enforce_memory_limit(limit: Option<Bytes>) {
-    allocator::set_limit(memory::hard_limit(limit.map(|bytes| bytes.0)));
+    allocator::end_process_above_bytes(memory::memory_limit_ending_process(limit.map(|bytes| bytes.0)));
 }
 
 /// Default of the option `--aa`, the threshold of anti-aliasing.
@@ -210,7 +210,7 @@ pub fn build(
     options: &interpreter::Options,
     keep: Keep,
 ) -> Built {
-    let print = &mut |text: &str| console.print(Stream::Debug, text);
+    let print = &mut |text: &str| console.print_povray_stream(Stream::Debug, text);
     let built = crate::build_with(parsed, sources, file, options, keep, print);
     files_in_memory_line(&built).iter().for_each(|note| console.info(note));
     built

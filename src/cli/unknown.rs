@@ -1,7 +1,7 @@
 //! The error about a command that does not exist.
 
 use super::exit::Failure;
-use super::povray::{first_word_and_index, is_ini};
+use super::povray::{first_index_and_word, is_ini};
 use super::{Cli, commands, session};
 use crate::diagnostic::nearest;
 use clap::CommandFactory;
@@ -44,7 +44,7 @@ const OTHERS: &[(&str, &str)] = &[
 
 /// Returns an error if the first word looks like a command but is neither a command nor a file.
 pub fn check(words: &[OsString]) -> Result<(), Failure> {
-    let Some((at, word)) = first_word_and_index(words) else { return Ok(()) };
+    let Some((at, word)) = first_index_and_word(words) else { return Ok(()) };
     let command = commands();
     let is_plain = word.starts_with(char::is_alphabetic) && !word.contains(['=', '.', '/', '\\', '[']);
     let is_file = || session::existing_scene_path(Path::new(&word)).exists() || is_ini(&word);

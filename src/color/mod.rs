@@ -31,7 +31,7 @@ impl Color {
     pub const BLINDING: f64 = 1e30;
 
     /// Returns the colour as a surface shows it: infinite components are 0 (quirk: `infinite_colors`).
-    pub fn without_infinities(self) -> Self {
+    pub fn with_infinities_as_zero(self) -> Self {
         let is_infinite = self.to_array().contains(&Self::BLINDING);
         if !is_infinite {
             self

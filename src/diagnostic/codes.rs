@@ -356,7 +356,7 @@ pub const FOLLOWS: Code = Code("E0998");
 pub const ENDS_RUN: Code = Code("E0999");
 
 /// Returns the explanation of a code that the user typed, in any letter case.
-pub fn find(code: &str) -> Option<&'static Explanation> {
+pub fn find_explanation(code: &str) -> Option<&'static Explanation> {
     ALL.iter().find(|e| e.code.0.eq_ignore_ascii_case(code.trim()))
 }
 

@@ -92,7 +92,7 @@ impl Report {
         let lines = file.map(|id| Lines::new(sources, id, d));
         let local = |span: Span| {
             let (id, range) = sources.locate(span).filter(|(id, _)| Some(*id) == file)?;
-            lines.as_ref().map(|lines| lines.shown_range(shortened_range(sources.text(id), range)))
+            lines.as_ref().map(|lines| lines.clip_to_shown_lines(shortened_range(sources.text(id), range)))
         };
         let label = |(i, l): (usize, &Label)| {
             let range = local(l.span)?;
@@ -149,7 +149,7 @@ fn abridged(text: &str) -> String {
     if text.len() <= MAX_MESSAGE {
         return text.into();
     }
-    let (head, tail) = (char_start(text, MAX_MESSAGE / 2), char_start(text, text.len() - MAX_MESSAGE / 2));
+    let (head, tail) = (floor_char_start(text, MAX_MESSAGE / 2), floor_char_start(text, text.len() - MAX_MESSAGE / 2));
     format!("{} … {}", &text[..head], &text[tail..])
 }
 
@@ -192,8 +192,8 @@ impl Lines {
         if line_end - line_start > MAX_LINE * (1 + text[line_start..line_end].matches('\n').count()) {
             // The first label is the place of the fault.
             let at = ranges.first().map_or(first, |r| r.start);
-            start = char_start(text, at.saturating_sub(CHARS_BEFORE_LABEL).max(line_start));
-            end = char_start(text, (start + MAX_LINE).min(line_end));
+            start = floor_char_start(text, at.saturating_sub(CHARS_BEFORE_LABEL).max(line_start));
+            end = floor_char_start(text, (start + MAX_LINE).min(line_end));
         }
         let line_span = |at: usize| Span::new(sources.base(file) + at, sources.base(file) + at);
         let place = sources.place(line_span(start));
@@ -202,7 +202,7 @@ impl Lines {
     }
 
     /// Returns the part of a byte range that the shown lines contain.
-    fn shown_range(&self, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
+    fn clip_to_shown_lines(&self, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
         let (low, high) = (self.start, self.start + self.text.len());
         range.start.clamp(low, high)..range.end.clamp(low, high)
     }
@@ -220,7 +220,7 @@ fn shortened_range(text: &str, range: std::ops::Range<usize>) -> std::ops::Range
 }
 
 /// Returns the nearest start of a character at or before a byte offset.
-fn char_start(text: &str, mut at: usize) -> usize {
+fn floor_char_start(text: &str, mut at: usize) -> usize {
     while !text.is_char_boundary(at) {
         at -= 1;
     }

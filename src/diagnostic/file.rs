@@ -18,7 +18,7 @@ pub fn unreadable(files: &dyn Files, path: &Path, error: &ReadError) -> Diagnost
             say(codes::FILE_UNREADABLE, format!("`{name}` is a folder")).maybe_help(scenes_inside_help(files, path))
         }
         ReadError::Io(e) if e.kind() == io::ErrorKind::NotFound => {
-            say(codes::FILE_NOT_FOUND, format!("there is no file `{name}`")).maybe_help(similar_file(files, path))
+            say(codes::FILE_NOT_FOUND, format!("there is no file `{name}`")).maybe_help(did_you_mean_file(files, path))
         }
         ReadError::Io(e) => say(codes::FILE_UNREADABLE, format!("`{name}` can't be read: {}", reason(e))),
     }
@@ -41,7 +41,7 @@ pub fn reason(error: &io::Error) -> String {
 }
 
 /// Returns a "did you mean" with a file of the folder, for a typo or a missing extension.
-fn similar_file(files: &dyn Files, path: &Path) -> Option<String> {
+fn did_you_mean_file(files: &dyn Files, path: &Path) -> Option<String> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
     let names = file_names(files, folder.unwrap_or(Path::new(".")))?;
     let wanted = path.file_name()?.to_str()?;

@@ -22,7 +22,7 @@ const NEAR: u32 = 6;
 
 /// Inserts blanks before comments at the ends of lines, so that comments that the author aligned are aligned again.
 pub fn align_trailing_comments(text: &str, comments: &[Trailing]) -> String {
-    let columns = comment_columns(comments);
+    let columns = aligned_comment_columns(comments);
     let mut out = String::with_capacity(text.len() + comments.len() * 8);
     let mut at = 0;
     for (comment, column) in comments.iter().zip(columns) {
@@ -37,7 +37,7 @@ pub fn align_trailing_comments(text: &str, comments: &[Trailing]) -> String {
 /// Returns the new column of each comment. Comments that share a column of the author's text are a group as long as each
 /// is near the previous one. A group's widest line decides its column, so that groups with equal new columns have the
 /// same column after the next pass, in which they are one group.
-fn comment_columns(comments: &[Trailing]) -> Vec<usize> {
+fn aligned_comment_columns(comments: &[Trailing]) -> Vec<usize> {
     let mut groups: Vec<Vec<usize>> = vec![];
     // Index of the latest group in each column of the author's text.
     let mut latest: FxHashMap<usize, usize> = FxHashMap::default();
@@ -62,7 +62,7 @@ fn comment_columns(comments: &[Trailing]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Trailing, comment_columns};
+    use super::{Trailing, aligned_comment_columns};
 
     #[test]
     fn comments_in_columns_that_were_assigned_keep_them() {
@@ -79,9 +79,9 @@ mod tests {
                 Trailing { at: 0, line, end, written: end + random(12) as usize }
             };
             let mut comments: Vec<Trailing> = (0..40).map(comment).collect();
-            let once = comment_columns(&comments);
+            let once = aligned_comment_columns(&comments);
             comments.iter_mut().zip(&once).for_each(|(comment, column)| comment.written = *column);
-            assert_eq!(comment_columns(&comments), once);
+            assert_eq!(aligned_comment_columns(&comments), once);
         }
     }
 }

@@ -76,7 +76,7 @@ impl<'a> Typesetter<'a> {
         for i in 0..atoms.row.len() {
             setter.sums.push(sum);
             setter.loose.push(loose);
-            breaks += u32::from(setter.begins_line(i));
+            breaks += u32::from(setter.must_begin_line(i));
             setter.breaks.push(breaks);
             if atoms.row[i].flags & flag::LINE_COMMENT == 0 {
                 sum = sum.saturating_add((setter.blanks_before(i) + setter.atom_width(i)) as u32);
@@ -103,15 +103,15 @@ impl<'a> Typesetter<'a> {
     }
 
     /// True if the atom must begin a line.
-    fn begins_line(&self, i: usize) -> bool {
+    fn must_begin_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
-        let after_comment = self.ends_line(previous) || self.is_multi_line_comment(previous);
+        let after_comment = self.must_end_line(previous) || self.is_multi_line_comment(previous);
         let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.closes_block(i);
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
 
     /// True if no atom may follow this one on its line.
-    fn ends_line(&self, i: usize) -> bool {
+    fn must_end_line(&self, i: usize) -> bool {
         self.has(i, flag::LINE_COMMENT | flag::LONE)
     }
 
@@ -131,41 +131,45 @@ impl<'a> Typesetter<'a> {
     }
 
     pub(super) fn atom_width(&self, i: usize) -> usize {
-        if self.has(i, flag::PACKED) { normalize_packed_vector(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
+        if self.has(i, flag::PACKED) {
+            normalize_vector_returning_width(self.read(i), |_| {})
+        } else {
+            columns_of(self.read(i))
+        }
     }
 
     /// Returns the width in columns of the atoms from `from` to before `to` if they are on one line, without blanks
     /// before the first atom.
     pub(super) fn flat_width(&self, from: usize, to: usize) -> usize {
-        (self.sums[to] - self.sums[from]) as usize - if from < to { self.blanks_in_sum(from) } else { 0 }
+        (self.sums[to] - self.sums[from]) as usize - if from < to { self.blanks_in_flat_width(from) } else { 0 }
     }
 
-    fn blanks_in_sum(&self, i: usize) -> usize {
+    fn blanks_in_flat_width(&self, i: usize) -> usize {
         if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::NO_BLANK_BEFORE)) }
     }
 
     /// True if the atoms of a range contain no forced line break.
-    pub(super) fn is_flat(&self, from: usize, to: usize) -> bool {
+    pub(super) fn lacks_forced_break(&self, from: usize, to: usize) -> bool {
         from >= to || self.breaks[to - 1] == self.breaks[from] && !(from + 1 < to && self.is_multi_line_comment(from))
     }
 
     /// True if a range fits on the rest of the current line.
     fn fits(&self, from: usize, to: usize) -> bool {
         let gap = if from < to && !self.is_at_line_start() { self.blanks_before(from) } else { 0 };
-        self.is_flat(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
+        self.lacks_forced_break(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
     }
 
     // ------------------------------------------------------------ writing
 
-    pub(super) fn new_line(&mut self, indent: usize, blank: bool) {
+    pub(super) fn new_line(&mut self, indent: usize, with_blank_line: bool) {
         if self.out.is_empty() {
             return;
         }
         self.out.push('\n');
-        if blank {
+        if with_blank_line {
             self.out.push('\n');
         }
-        self.line += 1 + u32::from(blank);
+        self.line += 1 + u32::from(with_blank_line);
         self.out.extend(std::iter::repeat_n(' ', indent));
         self.column = indent;
         (self.indent, self.commented) = (indent, false);
@@ -185,7 +189,7 @@ impl<'a> Typesetter<'a> {
             // A comma, or another atom that no other rule breaks lines before.
             self.new_line(self.indent, false);
         }
-        self.commented = self.ends_line(i);
+        self.commented = self.must_end_line(i);
         if self.has(i, flag::LINE_COMMENT) && !self.is_at_line_start() {
             return self.write_trailing_comment(i);
         }
@@ -195,7 +199,7 @@ impl<'a> Typesetter<'a> {
         self.column += gap + self.atom_width(i);
         if self.has(i, flag::PACKED) {
             let out = &mut self.out;
-            normalize_packed_vector(text, |part| out.push_str(part));
+            normalize_vector_returning_width(text, |part| out.push_str(part));
         } else {
             self.line += if self.is_multi_line_comment(i) { text.lines().count() as u32 - 1 } else { 0 };
             self.out.push_str(text);
@@ -232,7 +236,7 @@ impl<'a> Typesetter<'a> {
     /// Returns the items up to the next one that begins a line, and the index of that one.
     fn row_items_and_end(&self, from: usize, to: usize) -> (Vec<Range>, usize) {
         let (mut items, mut at) = (vec![], from);
-        while at < to && (at == from || !self.begins_line(at)) {
+        while at < to && (at == from || !self.must_begin_line(at)) {
             let item = self.item_at(at);
             items.push(Range { to: item.to.min(to), ..item });
             at = item.to;
@@ -251,14 +255,15 @@ impl<'a> Typesetter<'a> {
         let mut rows = vec![];
         while at < to {
             let (items, next) = self.row_items_and_end(at, to);
-            let flat = self.is_flat(at, next) && items.iter().all(|item| self.kind(*item) != ItemKind::Sign);
+            let flat = self.lacks_forced_break(at, next) && items.iter().all(|item| self.kind(*item) != ItemKind::Sign);
             rows.push(Row { from: at, to: next, flat });
             at = next;
         }
         table::align_tables(self, &rows, indent);
         for Row { from, to, .. } in rows {
             let closes = self.has(from, flag::UNMATCHED) && self.has(from, flag::CLOSE);
-            let first = indent_by(indent, open - i32::from(closes)) + self.layer_indent(from);
+            let first =
+                indent_inside_brackets(indent, open - i32::from(closes)) + self.continued_declaration_indent(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
             let (items, _) = self.row_items_and_end(from, to);
             self.write_row(&items, indent, &mut open);
@@ -311,7 +316,7 @@ impl<'a> Typesetter<'a> {
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
             let big = piece.iter().any(|item| self.is_on_several_lines(*item));
             let trails = self.has(a, flag::LINE_COMMENT);
-            let indent = indent_by(indent, *open_brackets) + self.layer_indent(a);
+            let indent = indent_inside_brackets(indent, *open_brackets) + self.continued_declaration_indent(a);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
@@ -325,7 +330,7 @@ impl<'a> Typesetter<'a> {
     }
 
     /// Returns the additional indentation of a line that continues a declaration.
-    fn layer_indent(&self, i: usize) -> usize {
+    fn continued_declaration_indent(&self, i: usize) -> usize {
         if self.has(i, flag::LAYER) { STEP } else { 0 }
     }
 
@@ -403,9 +408,9 @@ impl<'a> Typesetter<'a> {
         let small = items.iter().all(|item| !self.is_on_several_lines(*item) && !trails(item));
         let held = |item: &Range| self.has(item.from, flag::SAME_LINE | flag::NO_BLANK_BEFORE);
         let end = match () {
-            () if values == 0 || self.begins_line(from) || items.get(values).is_some_and(held) => from,
+            () if values == 0 || self.must_begin_line(from) || items.get(values).is_some_and(held) => from,
             // Only the closing bracket would not fit.
-            () if !is_entry && next == to && values == items.len() && self.is_flat(from, to) => from,
+            () if !is_entry && next == to && values == items.len() && self.lacks_forced_break(from, to) => from,
             () if next < to && small && !is_entry => next,
             () if items.get(values).is_some_and(trails) || next == to || is_entry => {
                 items.get(values).map_or(next, |item| item.from)
@@ -425,7 +430,7 @@ impl<'a> Typesetter<'a> {
         for (i, arm) in arms.iter().enumerate() {
             let (head, body, end) = (arm.head as usize, arm.body as usize, arm.end as usize);
             let indent = indent + if arm.is_switch_arm { STEP } else { 0 };
-            let on_line = arm.is_switch_arm && !self.begins_line(head) && self.fits(head, end) && i > 1;
+            let on_line = arm.is_switch_arm && !self.must_begin_line(head) && self.fits(head, end) && i > 1;
             if i > 0 && !on_line {
                 self.new_line(indent, self.atoms.row[head].lines > 1);
             }
@@ -443,7 +448,7 @@ impl<'a> Typesetter<'a> {
 }
 
 /// Returns the indentation inside of `open` unmatched brackets.
-pub(super) fn indent_by(indent: usize, open: i32) -> usize {
+pub(super) fn indent_inside_brackets(indent: usize, open: i32) -> usize {
     indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
 }
 
@@ -453,7 +458,7 @@ pub(super) fn columns_of(text: &str) -> usize {
 }
 
 /// Passes the normalised parts of a vector of numbers to `part`, and returns their total width.
-fn normalize_packed_vector(text: &str, mut part: impl FnMut(&str)) -> usize {
+fn normalize_vector_returning_width(text: &str, mut part: impl FnMut(&str)) -> usize {
     let (mut columns, mut first) = (2, true);
     part("<");
     for number in text.split(|c: char| matches!(c, '<' | '>' | ',') || c <= ' ').filter(|n| !n.is_empty()) {

@@ -2,7 +2,7 @@
 
 use super::STEP;
 use super::atoms::{ItemKind, flag};
-use super::layout::{Typesetter, indent_by};
+use super::layout::{Typesetter, indent_inside_brackets};
 
 /// Open brackets, counted by the line that opens them.
 #[derive(Default)]
@@ -24,7 +24,7 @@ impl Nesting {
     }
 
     /// Returns the number of lines with open brackets, each of which indents by one step; at least 1.
-    fn levels(&self) -> usize {
+    fn open_bracket_line_count(&self) -> usize {
         let others = self.open.windows(2).filter(|pair| pair[0] != pair[1]).count();
         (others + usize::from(!self.open.is_empty())).clamp(1, 20)
     }
@@ -34,10 +34,11 @@ impl Typesetter<'_> {
     /// Writes atoms with an indentation; keeps the author's line breaks, and adds more where a line is too long.
     pub(super) fn write_with_breaks(&mut self, from: usize, to: usize, indent: usize) {
         let (mut nesting, mut at) = (Nesting::default(), from);
-        let (body, mut open, mut indent) = (indent.saturating_sub(indent_by(0, self.open)), self.open, indent);
+        let (body, mut open, mut indent) =
+            (indent.saturating_sub(indent_inside_brackets(0, self.open)), self.open, indent);
         while at < to {
             let mut hard = at + 1;
-            while hard < to && self.is_flat(at, hard + 1) {
+            while hard < to && self.lacks_forced_break(at, hard + 1) {
                 hard += 1;
             }
             while at < hard {
@@ -53,10 +54,10 @@ impl Typesetter<'_> {
                         // When the text is read again, this is a row of the body.
                         open = (open + nesting.net).max(0);
                         nesting = Nesting::default();
-                        indent = indent_by(body, open);
+                        indent = indent_inside_brackets(body, open);
                         self.new_line(indent, false);
                     } else {
-                        self.new_line(indent + STEP * nesting.levels(), false);
+                        self.new_line(indent + STEP * nesting.open_bracket_line_count(), false);
                     }
                 }
             }

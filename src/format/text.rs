@@ -30,7 +30,7 @@ impl Encoded {
     /// # Errors
     /// Those of [`format()`].
     pub fn formatted(&self, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-        Ok(with_ends(&format(&self.text, base, width)?, line_end(&self.text)))
+        Ok(replace_lone_line_feeds(&format(&self.text, base, width)?, line_end(&self.text)))
     }
 
     /// Encodes `text` as the original file was encoded.
@@ -52,7 +52,7 @@ fn line_end(text: &str) -> &'static str {
 }
 
 /// Replaces each `\n` at the end of a line by `end`. Line ends inside of strings and comments stay.
-fn with_ends(text: &str, end: &str) -> String {
+fn replace_lone_line_feeds(text: &str, end: &str) -> String {
     if end == "\n" {
         return text.to_string();
     }

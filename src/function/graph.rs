@@ -116,7 +116,7 @@ pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same_opera
 
 impl Callee {
     /// Calls the function; returns a component of its result.
-    pub fn call(&self, component: usize, arguments: &[f64]) -> f64 {
+    pub fn call_component(&self, component: usize, arguments: &[f64]) -> f64 {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
             Callee::SceneNoise(generator) => scene_noise(generator, arguments),
@@ -131,7 +131,7 @@ impl Callee {
         match self {
             Callee::Function(function) => function.call(arguments),
             Callee::Sampler(sampler) => sampler.sample(arguments),
-            _ => [self.call(0, arguments); 5],
+            _ => [self.call_component(0, arguments); 5],
         }
     }
 
@@ -176,12 +176,12 @@ impl Callee {
             },
             Callee::Series { .. } => return [LocalBounds::UNKNOWN; 5],
         };
-        let near = LocalBounds::from_max_gradient(self.call(0, arguments), steepest, radius);
+        let near = LocalBounds::from_max_gradient(self.call_component(0, arguments), steepest, radius);
         let Some(bend) = bend else { return [near; 5] };
         let aside = |by: DVec3| {
             let mut there: SmallVec<[f64; 10]> = arguments.into();
             there.iter_mut().zip(by.to_array()).for_each(|(x, by)| *x += by);
-            self.call(0, &there)
+            self.call_component(0, &there)
         };
         [near.tightened_by_gradient_change(aside, bend, radius, Interval::TRUTH); 5]
     }
@@ -277,7 +277,7 @@ impl Graph {
     }
 
     /// Adds a component of the result of a call to the function's graph, and returns its index.
-    pub fn add_call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
+    pub fn add_call_component(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
         let index = self.callees.iter().position(|c| c.is_same_callee(&callee)).unwrap_or_else(|| {
             self.callees.push(callee);
             self.callees.len() - 1
@@ -300,7 +300,7 @@ impl Graph {
                 Operation::Choice(c, a, b) => self.add_operation(Operation::Choice(at(c), at(a), at(b))),
                 Operation::Call(callee, component, list) => {
                     let list = list.iter().map(at).collect();
-                    self.add_call(other.callees[*callee as usize].clone(), *component, list)
+                    self.add_call_component(other.callees[*callee as usize].clone(), *component, list)
                 }
             };
             ids.push(id);

@@ -47,7 +47,7 @@ impl Interval {
     }
 
     /// Returns the interval widened by a rounding error, for functions that are not rounded exactly.
-    pub fn widened(self) -> Self {
+    pub fn widened_by_rounding(self) -> Self {
         let margin = |x: f64| x.abs() * 4.0 * f64::EPSILON + f64::MIN_POSITIVE;
         let (lo, hi) = (self.lo - margin(self.lo), self.hi + margin(self.hi));
         if lo.is_nan() || hi.is_nan() { Self::ALL } else { Self { lo, hi } }
@@ -55,19 +55,19 @@ impl Interval {
 
     /// Returns the interval of a monotonically increasing function's results over this interval.
     pub fn map_increasing(self, f: impl Fn(f64) -> f64) -> Self {
-        Self::new(f(self.lo), f(self.hi)).widened()
+        Self::new(f(self.lo), f(self.hi)).widened_by_rounding()
     }
 
     /// Returns the interval of 1 / x; all numbers if 0 is inside.
     pub fn recip(self) -> Self {
-        if self.contains(0.0) { Self::ALL } else { Self::new(1.0 / self.lo, 1.0 / self.hi).widened() }
+        if self.contains(0.0) { Self::ALL } else { Self::new(1.0 / self.lo, 1.0 / self.hi).widened_by_rounding() }
     }
 
     /// Returns the interval of the squares, which are never negative.
     pub fn square(self) -> Self {
         let (a, b) = (self.lo * self.lo, self.hi * self.hi);
         let lo = if self.contains(0.0) { 0.0 } else { a.min(b) };
-        let wide = Self::new(lo, a.max(b)).widened();
+        let wide = Self::new(lo, a.max(b)).widened_by_rounding();
         Self { lo: wide.lo.max(0.0), hi: wide.hi }
     }
 
@@ -84,7 +84,7 @@ impl Interval {
         if width.is_nan() || width >= 2.0 * PI || self.lo.abs().max(self.hi.abs()) > 1e9 {
             return Self { lo: -1.0, hi: 1.0 };
         }
-        let mut out = Self::new(fp::cos(self.lo), fp::cos(self.hi)).widened();
+        let mut out = Self::new(fp::cos(self.lo), fp::cos(self.hi)).widened_by_rounding();
         let first = (self.lo / PI).ceil() as i64;
         let last = (self.hi / PI).floor() as i64;
         for k in first..=last {
@@ -108,7 +108,7 @@ impl Interval {
         if self.lo >= 0.0 {
             return match p {
                 _ if p > 0.0 => self.map_increasing(|x| fp::pow(x, p)),
-                _ if self.lo > 0.0 => Self::new(fp::pow(self.lo, p), fp::pow(self.hi, p)).widened(),
+                _ if self.lo > 0.0 => Self::new(fp::pow(self.lo, p), fp::pow(self.hi, p)).widened_by_rounding(),
                 _ => Self::ALL,
             };
         }
@@ -124,7 +124,7 @@ impl Add for Interval {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self::new(self.lo + other.lo, self.hi + other.hi).widened()
+        Self::new(self.lo + other.lo, self.hi + other.hi).widened_by_rounding()
     }
 }
 
@@ -149,7 +149,7 @@ impl Mul for Interval {
             product(self.hi, other.hi),
         ];
         let (lo, hi) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)));
-        if ends.iter().any(|x| x.is_nan()) { Self::ALL } else { Self { lo, hi }.widened() }
+        if ends.iter().any(|x| x.is_nan()) { Self::ALL } else { Self { lo, hi }.widened_by_rounding() }
     }
 }
 

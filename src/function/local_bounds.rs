@@ -39,7 +39,7 @@ impl LocalBounds {
         if !(value.is_finite() && far.is_finite()) {
             return Self::UNKNOWN;
         }
-        Self { range: Interval::new(value - far, value + far).widened(), steepest, ..Self::UNKNOWN }
+        Self { range: Interval::new(value - far, value + far).widened_by_rounding(), steepest, ..Self::UNKNOWN }
     }
 
     /// Returns local bounds of a function that differs by at most `max_deviation` from a value; no gradient is longer
@@ -83,7 +83,7 @@ impl LocalBounds {
         // |f(p) − f(0)| ≤ |g|·r + b·r²/2
         let far = (gradient.length() + SLACK + 0.5 * max_gradient_change * radius) * radius;
         let value = 0.5 * (self.range.lo + self.range.hi);
-        let range = self.range.intersection_or_self(Interval::new(value - far, value + far).widened());
+        let range = self.range.intersection_or_self(Interval::new(value - far, value + far).widened_by_rounding());
         Self { range, gradient, steepest: turn, ..self }
     }
 }

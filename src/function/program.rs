@@ -150,7 +150,8 @@ impl Program {
                 Step::Skip(target) => at = target as usize,
                 Step::Call(callee, component, list, count, to) => {
                     let callee = &self.graph.callees[callee as usize];
-                    r[to as usize] = self.with_arguments(list, count, r, |list| callee.call(component as usize, list));
+                    r[to as usize] =
+                        self.with_arguments(list, count, r, |list| callee.call_component(component as usize, list));
                 }
                 Step::CallAll(callee, list, count, to) => {
                     let callee = &self.graph.callees[callee as usize];
@@ -221,7 +222,7 @@ impl Writer<'_> {
                 });
                 to
             }
-            Operation::Choice(condition, yes, no) => self.emit_choice(*condition, *yes, *no),
+            Operation::Choice(condition, yes, no) => self.emit_conditional(*condition, *yes, *no),
             Operation::Call(callee, component, list) => {
                 let registers: Vec<Register> = list.iter().map(|id| self.emit_operation(*id)).collect();
                 let start = self.arguments.len() as u32;
@@ -258,7 +259,7 @@ impl Writer<'_> {
 
     /// Emits a conditional. Operations that only one branch needs are evaluated in that branch, and are unknown after
     /// it.
-    fn emit_choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
+    fn emit_conditional(&mut self, condition: Id, yes: Id, no: Id) -> Register {
         let condition = self.emit_operation(condition);
         let to = self.new_register();
         let before = self.places.clone();
@@ -297,7 +298,7 @@ pub(super) fn evaluate_recursively(graph: &Graph, parameters: &[f64]) -> f64 {
             Operation::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
             Operation::Call(callee, component, list) => {
                 let list: Vec<f64> = list.iter().map(at).collect();
-                graph.callees[*callee as usize].call(*component as usize, &list)
+                graph.callees[*callee as usize].call_component(*component as usize, &list)
             }
         }
     }

@@ -26,7 +26,7 @@ pub struct Slope {
 
 impl Slope {
     /// Returns the bounds of the constant `x`.
-    pub fn constant(x: f64) -> Self {
+    pub fn of_constant(x: f64) -> Self {
         Self::with_zero_gradient(Interval::point(x))
     }
 
@@ -123,7 +123,7 @@ impl Graph {
     ) -> Slope {
         let at = |id: &u32| &earlier_slopes[*id as usize];
         match node {
-            Operation::Constant(bits) => Slope::constant(f64::from_bits(*bits)),
+            Operation::Constant(bits) => Slope::of_constant(f64::from_bits(*bits)),
             Operation::Parameter(i) => parameters[*i as usize],
             Operation::One(row, a) => unary_slope(&numeric::TABLE[*row as usize], at(a)),
             Operation::Two(row, a, b) => binary_slope(&numeric::TABLE[*row as usize], at(a), at(b)),
@@ -168,7 +168,7 @@ fn operator_slope(op: Operator, a: &Slope, b: &Slope, same_operand: bool) -> Slo
     let value = operator_bounds(op, a.value, b.value, same_operand);
     match op {
         Operator::Add => a.add_slopes(value, b, 1.0),
-        Operator::Sub if same_operand => Slope::constant(0.0),
+        Operator::Sub if same_operand => Slope::of_constant(0.0),
         Operator::Sub => a.add_slopes(value, b, -1.0),
         Operator::Mul if same_operand => a.chain_rule(value, a.value + a.value),
         Operator::Mul => Slope::chain_rule_of_two(value, a, b.value, b, a.value),
@@ -199,7 +199,7 @@ fn unary_slope(row: &numeric::Numeric, a: &Slope) -> Slope {
         "log" if x.lo > 0.0 => x.recip() * Interval::point(std::f64::consts::LOG10_E),
         "sqrt" if x.lo > 0.0 => Interval::point(0.5) * value.recip(),
         // (Unbounded slope at 0.)
-        "sqrt" if x.hi > 0.0 => Interval { lo: 0.5 / x.hi.sqrt(), hi: f64::INFINITY }.widened(),
+        "sqrt" if x.hi > 0.0 => Interval { lo: 0.5 / x.hi.sqrt(), hi: f64::INFINITY }.widened_by_rounding(),
         "sinh" => (numeric_bounds("cosh"))(x, x),
         "cosh" => (numeric_bounds("sinh"))(x, x),
         "tanh" => ONE + -value.square(),
@@ -266,7 +266,7 @@ fn atan2_bounds(y: Interval, x: Interval) -> Interval {
     }
     let corners = [(y.lo, x.lo), (y.lo, x.hi), (y.hi, x.lo), (y.hi, x.hi)];
     let all = corners.map(|(y, x)| Interval::point(fp::atan2(y, x)));
-    all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened()
+    all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened_by_rounding()
 }
 
 /// Slopes of all components of a call.

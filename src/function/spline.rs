@@ -54,7 +54,7 @@ impl Spline {
             }
         }
         let len = given.iter().map(|(_, p)| p.len).max().unwrap_or(2);
-        let bends = second_derivatives(&points);
+        let bends = natural_second_derivatives(&points);
         Self { kind, points, len, bends }
     }
 
@@ -132,7 +132,7 @@ fn parabola_component(p: &[(f64, [f64; 5])], t: f64, component: usize) -> f64 {
 }
 
 /// Second derivatives of a natural spline at its points, 0 at both ends: a tridiagonal system, solved from both sides.
-fn second_derivatives(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
+fn natural_second_derivatives(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
     let n = p.len();
     let mut out = vec![[0.0; 5]; n];
     if n < 3 {

@@ -45,15 +45,15 @@ pub(super) fn palette_indices(bytes: &[u8], width: usize, height: usize) -> Opti
     }
     let data = bytes.get(header.start..)?;
     let rows = match (header.compression, header.bits) {
-        (PLAIN, 1 | 4 | 8) => decode_uncompressed(&header, data)?,
-        (RUNS_OF_BYTES, 8) | (RUNS_OF_HALVES, 4) => decode_runs(&header, data)?,
+        (PLAIN, 1 | 4 | 8) => decode_uncompressed_indices(&header, data)?,
+        (RUNS_OF_BYTES, 8) | (RUNS_OF_HALVES, 4) => decode_index_runs(&header, data)?,
         _ => return None,
     };
     Some(header.top_first(rows))
 }
 
 /// Decodes uncompressed palette indices of a BMP file; each row is padded to a multiple of four bytes.
-fn decode_uncompressed(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
+fn decode_uncompressed_indices(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let stride = header.width.checked_mul(header.bits)?.div_ceil(32) * 4;
     let data = data.get(..stride.checked_mul(header.height)?)?;
     if data.is_empty() {
@@ -69,7 +69,7 @@ fn decode_uncompressed(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
 
 /// Decodes run-length data of a BMP file: pairs of a count and a byte that is repeated; a count of 0 ends a row (0),
 /// ends the picture (1), moves the position (2), or precedes literal bytes.
-fn decode_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
+fn decode_index_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let (width, halves) = (header.width, header.bits == 4);
     let mut out = vec![0; width.checked_mul(header.height)?];
     let (mut x, mut y, mut at) = (0, 0, 0);

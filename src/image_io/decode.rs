@@ -61,7 +61,7 @@ pub fn decode_picture_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
 pub(super) fn decode_picture_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let _activity = Activity::begin("while a picture was decoded");
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    decode_any(bytes, ending).map_err(|reason| {
+    decode_non_empty(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();
         let text = format!("`{}` can't be decoded: {reason}", path.display());
         let fault = Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text);
@@ -83,11 +83,11 @@ pub(super) fn decode_picture_bytes(bytes: &[u8], path: &Path) -> Result<Decoded>
 /// # Errors
 /// The reason why the bytes are not a picture, in words.
 pub fn decode_pixels(bytes: &[u8], extension: &str) -> Result<Pixels, String> {
-    decode_any(bytes, extension).map(|decoded| decoded.pixels)
+    decode_non_empty(bytes, extension).map(|decoded| decoded.pixels)
 }
 
 /// Decodes a picture, and refuses one without pixels, which no pattern could look up.
-fn decode_any(bytes: &[u8], extension: &str) -> Result<Decoded, String> {
+fn decode_non_empty(bytes: &[u8], extension: &str) -> Result<Decoded, String> {
     let decoded = decode_by_signature(bytes, extension)?;
     match (decoded.pixels.width, decoded.pixels.height) {
         (0, _) | (_, 0) => Err("it has no pixels".into()),

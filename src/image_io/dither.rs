@@ -58,12 +58,12 @@ impl Ditherer {
     /// Dithers the light with index `i` in its row to an integer code.
     fn dither_sample(&mut self, i: usize, light: f32, scale: Scale) -> u16 {
         let (column, channel) = (i / self.channels, i % self.channels);
-        let round = |light| scale.round_down_to_code(scale.encoded_light(channel, light) + 0.5);
+        let round = |light| scale.round_down_to_code(scale.unrounded_code(channel, light) + 0.5);
         match self.dither {
             Dither::Bayer(n) => {
                 let pattern: &[usize] = [&TWO[..], &THREE, &FOUR][n.clamp(2, 4) - 2];
                 let level = pattern[self.row % n * n + column % n] as f32;
-                scale.round_down_to_code(scale.encoded_light(channel, light) + level / (n * n) as f32)
+                scale.round_down_to_code(scale.unrounded_code(channel, light) + level / (n * n) as f32)
             }
             Dither::Row => {
                 let wanted = light + self.last[channel];

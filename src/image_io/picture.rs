@@ -45,7 +45,7 @@ impl Picture {
         match &bytes[..] {
             [0x89, b'P', b'N', b'G', ..] => {
                 let keyed;
-                (stored, indices, keyed) = read_png_chunks(&bytes);
+                (stored, indices, keyed) = storage_indices_has_transparency(&bytes);
                 if keyed {
                     pixels = pixels.without_alpha();
                 }
@@ -77,7 +77,7 @@ pub fn wrap_to_u16(x: f32) -> u16 {
 
 /// Reads what the chunks of a png say: the relation of samples to light, palette indices, and whether one colour is
 /// declared transparent. That colour has no effect (quirk: `png_transparent_color`).
-fn read_png_chunks(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
+fn storage_indices_has_transparency(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
     let Ok(mut reader) = decoder.read_info() else { return (Stored::Unsaid, None, false) };

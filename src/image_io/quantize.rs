@@ -23,7 +23,7 @@ static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 8))
 
 impl Quantizer {
     fn new(max: u16, shift: u32) -> Self {
-        let mut thresholds: Vec<f32> = (1..=max).map(|k| lowest_light_of_code(k, max)).collect();
+        let mut thresholds: Vec<f32> = (1..=max).map(|k| srgb_code_lowest_light(k, max)).collect();
         thresholds.push(f32::INFINITY);
         let first = (thresholds[0].to_bits() >> shift) - 1;
         let mut code = 0;
@@ -48,13 +48,13 @@ impl Quantizer {
 /// Returns the smallest light with this integer code: that of the half between the code and the one below. As in
 /// POV-Ray 3.7 the half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and
 /// becomes 179.
-fn lowest_light_of_code(code: u16, max: u16) -> f32 {
+fn srgb_code_lowest_light(code: u16, max: u16) -> f32 {
     let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
     transfer::srgb_decode(f64::from(half)) as f32
 }
 
 /// Returns the code of alpha and other samples without a transfer curve, before truncation; 0 for NaN.
-fn untruncated_linear_code(x: f32, max: f32) -> f32 {
+fn linear_code_plus_half(x: f32, max: f32) -> f32 {
     x.clamp(0.0, 1.0) * max + 0.5
 }
 
@@ -70,13 +70,13 @@ pub(super) fn composite_over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
 /// Encodes pixels by the sRGB curve as three or four bytes a pixel.
 pub(super) fn encode_srgb8(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
-    pack_pixels(pixels, alpha, |x| table.code_of_light(x) as u8, |a| untruncated_linear_code(a, 255.0) as u8)
+    pack_pixels(pixels, alpha, |x| table.code_of_light(x) as u8, |a| linear_code_plus_half(a, 255.0) as u8)
 }
 
 /// Encodes pixels by the sRGB curve as three or four 16-bit integers a pixel.
 pub(super) fn encode_srgb16(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
-    pack_pixels(pixels, alpha, |x| table.code_of_light(x), |a| untruncated_linear_code(a, 65_535.0) as u16)
+    pack_pixels(pixels, alpha, |x| table.code_of_light(x), |a| linear_code_plus_half(a, 65_535.0) as u16)
 }
 
 /// Encoder of linear light to the integers of a picture file.
@@ -109,7 +109,7 @@ impl Integers {
                 None => lights
                     .iter()
                     .enumerate()
-                    .map(|(i, x)| scale.round_down_to_code(scale.encoded_light(i % channels, *x) + 0.5))
+                    .map(|(i, x)| scale.round_down_to_code(scale.unrounded_code(i % channels, *x) + 0.5))
                     .collect(),
             };
             match self.wide {
@@ -138,14 +138,14 @@ pub(super) struct Scale {
 
 impl Scale {
     /// Returns the encoded light of a channel in units of integer codes, not rounded.
-    pub fn encoded_light(self, channel: usize, light: f32) -> f32 {
+    pub fn unrounded_code(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max
     }
 
     /// Rounds an encoded light down to an integer code.
-    pub fn round_down_to_code(self, number: f32) -> u16 {
-        number.min(self.max) as u16
+    pub fn round_down_to_code(self, unrounded_code_value: f32) -> u16 {
+        unrounded_code_value.min(self.max) as u16
     }
 
     /// Returns the linear light of an integer code in a channel.
@@ -221,7 +221,7 @@ mod tests {
         for x in [1.0, 7.0, f32::INFINITY] {
             assert_eq!((BITS8.code_of_light(x), BITS16.code_of_light(x)), (255, 65_535), "{x}");
         }
-        assert_eq!(untruncated_linear_code(f32::NAN, 255.0) as u8, 0);
+        assert_eq!(linear_code_plus_half(f32::NAN, 255.0) as u8, 0);
     }
 
     #[test]

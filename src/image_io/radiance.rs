@@ -55,7 +55,7 @@ fn take_bytes<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String>
 fn decode_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     match **rest {
         [2, 2, a, b, ..] if usize::from(u16::from_be_bytes([a, b])) == width => *rest = &rest[4..],
-        _ => return decode_plain_row(rest, width),
+        _ => return decode_row_by_pixels(rest, width),
     }
     let mut channels = [const { vec![] }; 4];
     for channel in &mut channels {
@@ -74,7 +74,7 @@ fn decode_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
 
 /// Decodes a row of a Radiance HDR file pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive
 /// ones are digits of base 256.
-fn decode_plain_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+fn decode_row_by_pixels(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     let mut out: Vec<[u8; 4]> = vec![];
     let mut shift = 0;
     while out.len() < width {

@@ -122,9 +122,9 @@ impl Header {
     }
 
     /// Returns the decoded TGA picture; alpha is dropped if the file has none.
-    fn to_decoded(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
+    fn to_decoded(&self, channels: usize, has_alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
         let pixels = Pixels { width: self.width, height: self.height, channels, samples: Samples::U8(samples) };
-        Decoded { pixels: if alpha { pixels } else { pixels.without_alpha() }, indices }
+        Decoded { pixels: if has_alpha { pixels } else { pixels.without_alpha() }, indices }
     }
 }
 

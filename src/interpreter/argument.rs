@@ -1,7 +1,7 @@
 //! Arguments of macros and of those built-in functions that take names, array elements or objects.
 
 use super::Interpreter;
-use super::evaluator::{LValue, Slot, as_float, as_vector, is_callable, not_text};
+use super::evaluator::{LValue, Slot, as_float, as_vector, is_callable, not_text_error};
 use super::stream::Token;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -52,7 +52,7 @@ impl<'a> Interpreter<'a> {
                     self.evaluator.scopes().resolve(*symbol).map(|lvalue| self.evaluator.scopes().level_of(&lvalue));
                 self.stream.advance();
                 let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
-                let ends = !called && self.value_ends()?;
+                let ends = !called && self.no_token_continues_value()?;
                 let lasting = level.is_some_and(|level| level <= self.evaluator.scopes().level());
                 if !ends {
                     self.report_first_use(*symbol, span);
@@ -71,12 +71,12 @@ impl<'a> Interpreter<'a> {
                 }
             }
             Token::Element(_) => {
-                let Some(lvalue) = self.stream.element().cloned() else {
+                let Some(lvalue) = self.stream.array_element().cloned() else {
                     return Err(self.unexpected_token("a value").into());
                 };
                 let (slot, depth) = (self.evaluator.scopes().slot_at(&lvalue).cloned(), self.stream.call_depth());
                 self.stream.advance();
-                let ends = self.value_ends()?;
+                let ends = self.no_token_continues_value()?;
                 match slot {
                     _ if ends && depth == self.stream.call_depth() => {
                         Ok(Argument { given: ArgumentForm::LValue(lvalue), span })
@@ -107,7 +107,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// True if no following token continues the value that was just read.
-    pub(super) fn value_ends(&mut self) -> Result<bool> {
+    pub(super) fn no_token_continues_value(&mut self) -> Result<bool> {
         Ok(match self.peek_after_value()? {
             None | Some(Token::Punctuation(Punctuation::Close(_)) | Token::End) => true,
             Some(Token::Punctuation(mark)) => {
@@ -156,7 +156,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn argument_text(&mut self, argument: &Argument<'a>) -> Result<String> {
         match self.argument_value(argument)? {
             Value::Text(text) => Ok(text.to_string()),
-            other => not_text(&other, argument.span),
+            other => not_text_error(&other, argument.span),
         }
     }
 

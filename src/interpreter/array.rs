@@ -181,7 +181,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads an array's name and indices, and pushes back one token: the element, or the name if no index follows.
-    pub(super) fn read_element_token(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
+    pub(super) fn push_back_element_token(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
         let has_comma_before = self.stream.has_comma();
         // A comma between the name and its indices ends the value.
@@ -197,7 +197,7 @@ impl<'a> Interpreter<'a> {
         }
         let whole = indices.last().map_or(span, |(_, at)| joined_span_if_near(span, Span { hi: at.hi + 1, ..*at }));
         let lvalue = self.lvalue_at(symbol, span, &indices, false)?;
-        self.stream.set_element(lvalue);
+        self.stream.set_array_element(lvalue);
         Ok(self.stream.push_back(Token::Element(whole), whole, has_comma_before))
     }
 
@@ -213,7 +213,7 @@ impl<'a> Interpreter<'a> {
             whole = joined_span_if_near(prefix, Span { hi: at.hi + 1, ..*at });
             lvalue = self.lvalue_in_array(lvalue, named, &indices, false)?;
         }
-        self.stream.set_element(lvalue);
+        self.stream.set_array_element(lvalue);
         Ok(self.stream.push_back(Token::Element(whole), whole, has_comma_before))
     }
 
@@ -221,7 +221,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_indices(&mut self, symbol: Symbol) -> Result<Vec<(Value, Span)>> {
         let mut indices = vec![];
         loop {
-            match self.peek_index_start()? {
+            match self.peek_directly_after_name()? {
                 Some(Token::Open(Bracket::Square, _)) => {
                     self.open()?;
                     indices.push(self.read_value()?);
@@ -239,7 +239,7 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the token directly after an array's name. As in POV-Ray, no directive and no macro runs between the two,
     /// and no macro ends (quirk: `index_follows_name`).
-    fn peek_index_start(&mut self) -> Result<Option<Token<'a>>> {
+    fn peek_directly_after_name(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.has_comma() {
                 return Ok(None);
@@ -291,9 +291,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Consumes a [`Token::Element`], and returns the contents of the element.
-    pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
+    pub(super) fn take_array_element(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.next_span();
-        let lvalue = self.stream.take_element();
+        let lvalue = self.stream.take_array_element();
         self.stream.advance();
         match lvalue {
             Some(lvalue) => self.evaluator.slot_at(&lvalue, span),
@@ -373,7 +373,8 @@ impl<'a> Interpreter<'a> {
             };
             let n = array.sizes.len();
             if rest.len() < n {
-                let message = format!("this array has {n} dimensions, but {} given", counted_indices(rest.len()));
+                let message =
+                    format!("this array has {n} dimensions, but {} given", needed_indices_with_verb(rest.len()));
                 return Diagnostic::err(codes::WRONG_COUNT, span, message);
             }
             let (mut flat, first) = (0, numbers.len() - rest.len());
@@ -429,7 +430,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-fn counted_indices(n: usize) -> &'static str {
+fn needed_indices_with_verb(n: usize) -> &'static str {
     if n == 1 { "one index is" } else { "fewer indices are" }
 }
 

@@ -3,7 +3,7 @@
 
 use super::Interpreter;
 use super::evaluator::{
-    TOLERANCE, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value,
+    TOLERANCE, apply_prefix, as_float, combine, component, divides_by_zero, not_text_error, vector_value,
 };
 
 use super::evaluator::{Quick, Slot};
@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
                 let (is_true, yes, no) = (self.is_true(condition)?, self.evaluate(yes)?, self.evaluate(no)?);
                 Ok(if is_true { yes } else { no })
             }
-            ExprKind::Builtin(name, arguments) => self.builtin(name.name, arguments, e.span),
+            ExprKind::Builtin(name, arguments) => self.call_builtin(name.name, arguments, e.span),
             ExprKind::Dot(..) => self.evaluate_member_access(e),
             ExprKind::Index(array, indices) => {
                 let slot = self.evaluate_index(array, indices, e.span)?;
@@ -91,7 +91,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn evaluate_text(&mut self, e: &'a Expr) -> Result<String> {
         match self.evaluate(e)? {
             Value::Text(text) => Ok(text.to_string()),
-            other => not_text(&other, e.span),
+            other => not_text_error(&other, e.span),
         }
     }
 

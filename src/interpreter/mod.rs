@@ -40,8 +40,8 @@ use std::sync::Arc;
 use stream::{FrameKind, Mode, TokenStream};
 
 /// Returns name, arguments and one-line summary of each function that scripts have and `function { }` does not.
-pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    builtin::usages()
+pub fn script_only_functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    builtin::script_only_usages()
 }
 
 /// Permissions and inputs of one run of the interpreter.
@@ -225,7 +225,7 @@ impl<'a> Interpreter<'a> {
     /// Reports an error, or the unclosed bracket that causes it, and calls `skip`. Returns false if the run ends.
     fn report_unless_run_ends(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
         let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
-        let fault = self.stream.with_trace(fault);
+        let fault = self.stream.with_call_trace(fault);
         // Text after an unclosed bracket cannot be read.
         let bracket = match ends {
             true => None,
@@ -243,11 +243,11 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        let errors_in_unused = self.evaluator.scopes().unused_faults().cloned().collect();
+        let errors_in_unused = self.evaluator.scopes().faults_of_unused_declarations().cloned().collect();
         self.reporter.report_deferred(errors_in_unused);
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
-        let (scene, origins) = self.builder.into_scene_and_traces();
+        let (scene, origins) = self.builder.into_scene_and_call_traces();
         let (diagnostics, unused_branches) = self.reporter.into_diagnostics_and_unused_branches();
         Outcome {
             scene: (!failed).then_some(scene),
@@ -276,7 +276,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reports a diagnostic with the present call trace.
     fn report_here(&mut self, d: Diagnostic) {
-        self.reporter.report(self.stream.with_trace(d));
+        self.reporter.report(self.stream.with_call_trace(d));
     }
 
     /// Reports a division by zero in an expression of the scene.

@@ -57,7 +57,7 @@ impl ParsedFiles {
 
     /// Returns the id of the file that was read from `path`; `None` if the file was not read or has changed since.
     /// Built-in files have no stamp.
-    pub(super) fn file(&self, files: &dyn Files, path: &Path) -> Option<FileId> {
+    pub(super) fn unchanged_file(&self, files: &dyn Files, path: &Path) -> Option<FileId> {
         let (file, read) = self.files.borrow().get(path).copied()?;
         (read == files.stamp(path)).then_some(file)
     }

@@ -53,7 +53,7 @@ impl<'a> Interpreter<'a> {
             }
             Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => self.read_expression_slot(),
             Token::Element(span) => {
-                let slot = self.take_element()?;
+                let slot = self.take_array_element()?;
                 match slot {
                     Slot::Value(value) => self.read_rest_of_value(value, span),
                     slot => Ok(slot),
@@ -64,7 +64,7 @@ impl<'a> Interpreter<'a> {
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.read_dictionary()
             }
-            Token::Word(_) if self.is_at_color()? => self.read_expression_slot(),
+            Token::Word(_) if self.may_be_at_color()? => self.read_expression_slot(),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.read_declarable_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),

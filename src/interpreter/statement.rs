@@ -136,7 +136,7 @@ impl Interpreter<'_> {
         let object = Object::read(self, &defaults)?;
         self.builder.add_object(*object);
         if self.inputs.options.record_origins {
-            self.builder.add_object_trace(self.stream.trace());
+            self.builder.add_object_call_trace(self.stream.call_trace());
         }
         Ok(())
     }
@@ -215,7 +215,7 @@ impl Interpreter<'_> {
             Punctuation::Operator(Operator::Less) => {
                 !before.trim_end().ends_with(|c: char| c.is_alphanumeric() || "_.)]\"".contains(c))
             }
-            Punctuation::Operator(op) => op.adds(),
+            Punctuation::Operator(op) => op.is_addition_or_subtraction(),
             _ => false,
         };
         let rest = &behind[range.len()..];
@@ -236,7 +236,9 @@ impl Interpreter<'_> {
         let in_row =
             |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Punctuation(Punctuation::Operator(_)));
         let compares = |e: &Element| match e.kind {
-            ElementKind::Punctuation(Punctuation::Operator(op)) => !op.adds() && !op.multiplies(),
+            ElementKind::Punctuation(Punctuation::Operator(op)) => {
+                !op.is_addition_or_subtraction() && !op.is_multiplication_or_division()
+            }
             _ => false,
         };
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)

@@ -122,7 +122,7 @@ impl Area {
 
     /// Returns the offsets of the corners, in order around it, of a parallelogram that contains the lights from `low` to
     /// `high`, with any jitter. `toward` is the direction to the illuminated point, length 1.
-    pub fn hull(&self, low: [u32; 2], high: [u32; 2], toward: DVec3) -> [DVec3; 4] {
+    pub fn offset_parallelogram(&self, low: [u32; 2], high: [u32; 2], toward: DVec3) -> [DVec3; 4] {
         let place = |i: usize, cell: u32, outwards: f64| {
             let steps = f64::from(self.size[i].max(2) - 1);
             let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell) };
@@ -205,7 +205,7 @@ mod tests {
             {
                 let [low, high] =
                     [low, high].map(|cell: [u32; 2]| [cell[0].min(size[0] - 1), cell[1].min(size[1] - 1)]);
-                let [corner, right, _, up] = area.hull(low, high, toward);
+                let [corner, right, _, up] = area.offset_parallelogram(low, high, toward);
                 let (u, v) = (right - corner, up - corner);
                 let normal = u.cross(v);
                 for cell in (low[0]..=high[0]).flat_map(|i| (low[1]..=high[1]).map(move |j| [i, j])) {

@@ -117,7 +117,7 @@ impl Profile {
             Profile::Cone { radius, falloff, tightness } => {
                 let edge = match cos {
                     cos if cos >= radius => 1.0,
-                    cos if cos > falloff => smooth_step((cos - falloff) / (radius - falloff)),
+                    cos if cos > falloff => unclamped_smooth_step((cos - falloff) / (radius - falloff)),
                     _ => return 0.0,
                 };
                 // Behind the light the cosine is negative, and its power is 0.
@@ -129,7 +129,9 @@ impl Profile {
                     return 0.0;
                 }
                 let edge = match radius {
-                    radius if radius > 0.0 && beside > radius => smooth_step((falloff - beside) / (falloff - radius)),
+                    radius if radius > 0.0 && beside > radius => {
+                        unclamped_smooth_step((falloff - beside) / (falloff - radius))
+                    }
                     _ => 1.0,
                 };
                 if tightness == 0.0 { edge } else { edge * fp::power(1.0 - beside / falloff, tightness) }
@@ -139,7 +141,7 @@ impl Profile {
 }
 
 /// Returns 3x² - 2x³, which rises smoothly from 0 to 1.
-fn smooth_step(x: f64) -> f64 {
+fn unclamped_smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 

@@ -103,11 +103,11 @@ impl LoweredLight {
         self.axis
     }
 
-    /// Returns the share of the light's strength, from 0 to 1, that its beam sends to the point `p`. `from` is the direction
+    /// Returns the share of the light's strength, from 0 to 1, that its beam sends to the point `p`. `to_light` is the direction
     /// from the point to the light, and `distance` the distance.
     // (Forced: with the photons as a second caller, the compiler would make this a call.)
     #[inline(always)]
-    pub fn beam_share_at(&self, p: DVec3, from: DVec3, distance: f64) -> f64 {
+    pub fn beam_share_at(&self, p: DVec3, to_light: DVec3, distance: f64) -> f64 {
         // quirk: area_light_tube
         let ahead = (p - self.location).dot(self.axis);
         let beside = || (p - self.location - self.axis * ahead).length();
@@ -116,8 +116,10 @@ impl LoweredLight {
             // quirk: beam_without_axis
             _ if self.axis == DVec3::ZERO => 0.0,
             // Behind a parallel light, the cone is reversed.
-            profile if self.parallel => profile.strength_share(-from.dot(self.axis) * distance.signum(), beside, ahead),
-            profile => profile.strength_share(-from.dot(self.axis), beside, ahead),
+            profile if self.parallel => {
+                profile.strength_share(-to_light.dot(self.axis) * distance.signum(), beside, ahead)
+            }
+            profile => profile.strength_share(-to_light.dot(self.axis), beside, ahead),
         };
         if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share }
     }

@@ -90,7 +90,7 @@ impl Light {
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let location = r.vector()?;
-        let color = if r.is_at_color()? { r.color()?.rgb } else { Rgb::ZERO };
+        let color = if r.may_be_at_color()? { r.color()?.rgb } else { Rgb::ZERO };
         Ok(Self { location, color, source, ..Self::default() })
     }
 

@@ -39,7 +39,7 @@ pub fn picture(word: &str) -> Option<Uri> {
 /// Returns the address of the manual's explanation of a diagnostic code.
 pub fn code_address(code: &str) -> Option<Uri> {
     let page = address("reference/codes.md")?;
-    let heading = format!("{code}: {}", codes::find(code)?.title).to_lowercase();
+    let heading = format!("{code}: {}", codes::find_explanation(code)?.title).to_lowercase();
     let characters = heading.chars().filter(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '-' | '_'));
     let anchor: String = characters.map(|c| if c == ' ' { '-' } else { c }).collect();
     Uri::from_str(&format!("{}#{anchor}", page.as_str())).ok()

@@ -16,7 +16,7 @@ pub fn shape(name: &str) -> Option<&'static Spec> {
     Shape::spec_of(name)
 }
 
-fn add(out: &mut Vec<WordSpec>, more: impl IntoIterator<Item = WordSpec>) {
+fn add_new_words(out: &mut Vec<WordSpec>, more: impl IntoIterator<Item = WordSpec>) {
     for word in more {
         if !out.iter().any(|other| other.name == word.name) {
             out.push(word);
@@ -36,30 +36,33 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
         block.is_empty() || GROUPS.contains(&block) || matches!(block, "clipped_by" | "bounded_by" | "light_group");
     let named = if block.is_empty() { interpreter::STATEMENTS.name } else { block };
     for entry in entries().filter(|entry| entry.has_braces && entry.spec.name == named) {
-        add(&mut out, entry.spec.words.iter().copied());
+        add_new_words(&mut out, entry.spec.words.iter().copied());
         if entry.spec.has_transforms {
-            add(&mut out, TRANSFORMS.iter().copied());
+            add_new_words(&mut out, TRANSFORMS.iter().copied());
         }
     }
     if holds_objects {
-        add(&mut out, block_name_entries(Shape::SPECS));
-        add(&mut out, interpreter::STATEMENTS.words.iter().copied().filter(|word| GROUPS.contains(&word.name)));
+        add_new_words(&mut out, block_name_entries(Shape::SPECS));
+        add_new_words(
+            &mut out,
+            interpreter::STATEMENTS.words.iter().copied().filter(|word| GROUPS.contains(&word.name)),
+        );
     }
     let mut tables: Vec<&[WordSpec]> = vec![];
     if !block.is_empty() && (holds_objects || shape(block).is_some()) {
         tables.extend([MODIFIERS.words, TRANSFORMS]);
     }
     if matches!(block, "pigment" | "normal" | "texture" | "density" | "pattern") {
-        add(&mut out, block_name_entries(FieldPattern::SPECS).chain(block_name_entries(CellPattern::SPECS)));
+        add_new_words(&mut out, block_name_entries(FieldPattern::SPECS).chain(block_name_entries(CellPattern::SPECS)));
         tables.extend([Modifiers::WORDS, TurbulenceParams::WORDS, TRANSFORMS]);
     }
     match block {
-        "warp" => add(&mut out, block_name_entries(Warp::SPECS)),
+        "warp" => add_new_words(&mut out, block_name_entries(Warp::SPECS)),
         "image_map" | "bump_map" | "material_map" | "image_pattern" => tables.push(bitmap::WORDS),
         "transform" => tables.push(TRANSFORMS),
         _ => {}
     }
-    add(&mut out, tables.into_iter().flatten().copied());
+    add_new_words(&mut out, tables.into_iter().flatten().copied());
     out
 }
 
@@ -105,20 +108,20 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
     for row in interpreter::COLOR_WORDS.iter().chain(TRANSFORMS).filter(|row| row.name == word) {
         add(describe(row), false);
     }
-    if let Some((usage, summary)) = function(word) {
+    if let Some((usage, summary)) = function_usage_and_summary(word) {
         add(format!("`{usage}`: {summary}"), false);
     }
     for (_, what) in CONSTANTS.iter().filter(|(name, _)| *name == word) {
         add((*what).to_string(), false);
     }
     if out.is_empty() {
-        out.extend(ELSEWHERE.iter().filter(|(name, _)| *name == word).map(|(_, place)| plain(place)));
+        out.extend(ELSEWHERE.iter().filter(|(name, _)| *name == word).map(|(_, place)| without_links(place)));
     }
     out
 }
 
 /// Removes the links from a Markdown text of the manual, because they lead to other pages.
-fn plain(markdown: &str) -> String {
+fn without_links(markdown: &str) -> String {
     let mut text = String::new();
     let mut rest = markdown;
     while let Some((before, link)) = rest.split_once('[') {
@@ -148,7 +151,7 @@ fn describe(info: &WordSpec) -> String {
 }
 
 /// Returns the syntax and description of a built-in function.
-pub fn function(name: &str) -> Option<(String, &'static str)> {
+pub fn function_usage_and_summary(name: &str) -> Option<(String, &'static str)> {
     function_usages_and_summaries()
         .find(|(other, ..)| *other == name)
         .map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
@@ -164,7 +167,7 @@ pub fn function_usages_and_summaries() -> impl Iterator<Item = (&'static str, &'
         };
         (row.name, usage, row.summary)
     });
-    numbers.chain(interpreter::functions())
+    numbers.chain(interpreter::script_only_functions())
 }
 
 /// Returns the syntax and description of a directive.

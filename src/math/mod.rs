@@ -21,7 +21,9 @@ pub use aabb::Aabb;
 pub use complex::Complex;
 pub use crossing::root_between;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
-pub use poly::{MAX_DEGREE, bernstein_roots, roots_on_line, solve_quadratic, solve_quadratic_with_discriminant};
+pub use poly::{
+    MAX_DEGREE, bernstein_roots, polynomial_roots_between, solve_quadratic, solve_quadratic_with_discriminant,
+};
 pub use quadratic::Quadratic;
 pub use ray::{Range, Ray};
 pub use sheared::Sheared;

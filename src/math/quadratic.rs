@@ -76,7 +76,7 @@ impl Quadratic {
     /// other axes; `None` if it is empty.
     fn nonpositive_interval_along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
-        let least = others.map(|i| quadratic_minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
+        let least = others.map(|i| quadratic_minimum_value(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
         let sizes = self.c.abs() + least[0].abs() + least[1].abs();
         // a·x² + b·x + rest ≤ 0
         let (a, b, rest) = (squares[axis], 2.0 * self.h[axis], self.c + least[0] + least[1] - ROUNDING * sizes);
@@ -95,7 +95,7 @@ impl Quadratic {
 }
 
 /// The least value of a·x² + b·x between two positions, which may be infinite.
-fn quadratic_minimum(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
+fn quadratic_minimum_value(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
     let value = |x: f64| match x.is_finite() {
         true => (a * x + b) * x,
         false if a != 0.0 => a * f64::INFINITY,

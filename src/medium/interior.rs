@@ -168,10 +168,10 @@ impl Interior {
         self.fade_color + (Rgb::ONE - self.fade_color) * left
     }
 
-    /// Returns the factor by which a surface brightens the light that enters through it; `cos` is the cosine of the
+    /// Returns the factor by which a surface brightens the light that enters through it; `cos_incidence` is the cosine of the
     /// angle of incidence (quirk: `caustics_factor`).
-    pub fn caustic_factor(&self, cos: f64) -> f64 {
-        if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos, 45.0 * self.caustics) }
+    pub fn caustic_factor(&self, cos_incidence: f64) -> f64 {
+        if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos_incidence, 45.0 * self.caustics) }
     }
 
     /// True if light that crosses the interior changes other than by refraction.

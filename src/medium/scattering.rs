@@ -92,21 +92,21 @@ impl Scattering {
         }
     }
 
-    /// Returns the share of scattered light that goes towards the eye, relative to isotropic scattering; `cos` is the
+    /// Returns the share of scattered light that goes towards the eye, relative to isotropic scattering; `cos_ray_to_light` is the
     /// cosine of the angle between the view ray and the direction to the light (quirk: `phase_functions`).
-    pub fn phase_factor(&self, cos: f64) -> f64 {
+    pub fn phase_factor(&self, cos_ray_to_light: f64) -> f64 {
         match self.phase {
             Phase::Isotropic => 1.0,
             // K·(1 + 9·cos¹⁶(θ/2))
-            Phase::MieHaze => 0.576656 * (1.0 + 9.0 * fp::integer_power((1.0 + cos) / 2.0, 8)),
+            Phase::MieHaze => 0.576656 * (1.0 + 9.0 * fp::integer_power((1.0 + cos_ray_to_light) / 2.0, 8)),
             // K·(1 + 50·cos⁶⁴(θ/2))
-            Phase::MieMurky => 0.495716 * (1.0 + 50.0 * fp::integer_power((1.0 + cos) / 2.0, 32)),
+            Phase::MieMurky => 0.495716 * (1.0 + 50.0 * fp::integer_power((1.0 + cos_ray_to_light) / 2.0, 32)),
             // K·(1 + cos²θ)
-            Phase::Rayleigh => 0.799372 * (1.0 + cos * cos),
+            Phase::Rayleigh => 0.799372 * (1.0 + cos_ray_to_light * cos_ray_to_light),
             // (1 - g²) / (1 + g² - 2g·cosθ)^³ᐟ²
             Phase::HenyeyGreenstein => {
                 let g = self.eccentricity;
-                let base = (1.0 + g * g - 2.0 * g * cos).max(0.0);
+                let base = (1.0 + g * g - 2.0 * g * cos_ray_to_light).max(0.0);
                 (1.0 - g * g) / (base * base.sqrt())
             }
         }

@@ -12,7 +12,7 @@ const LARGE: usize = 2000;
 pub fn triangulate(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     let n = points.len();
     let flat = if n > 3 && n <= LARGE { project_polygon(points) } else { vec![] };
-    let convex = (0..flat.len()).all(|i| signed_corner_area(&flat, (i + n - 1) % n, i, (i + 1) % n) >= 0.0);
+    let convex = (0..flat.len()).all(|i| doubled_signed_area(&flat, (i + n - 1) % n, i, (i + 1) % n) >= 0.0);
     if convex {
         (1..n.saturating_sub(1)).for_each(|i| visit([0, i, i + 1]));
         return;
@@ -44,19 +44,19 @@ fn project_polygon(points: &[Vec3]) -> Vec<DVec2> {
 }
 
 /// Returns twice the signed area of three corners of a polygon, negative if they turn to the right.
-fn signed_corner_area(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
+fn doubled_signed_area(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
     (flat[b] - flat[a]).perp_dot(flat[c] - flat[b])
 }
 
 /// True if the polygon's corner b turns to the left, with no other corner in its triangle.
 fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], rest: &[usize]) -> bool {
     let holds = |p: usize| {
-        signed_corner_area(flat, a, b, p) >= 0.0
-            && signed_corner_area(flat, b, c, p) >= 0.0
-            && signed_corner_area(flat, c, a, p) >= 0.0
+        doubled_signed_area(flat, a, b, p) >= 0.0
+            && doubled_signed_area(flat, b, c, p) >= 0.0
+            && doubled_signed_area(flat, c, a, p) >= 0.0
     };
     let other = |p: &&usize| ![flat[a], flat[b], flat[c]].contains(&flat[**p]);
-    signed_corner_area(flat, a, b, c) > 0.0 && !rest.iter().filter(other).any(|&p| holds(p))
+    doubled_signed_area(flat, a, b, c) > 0.0 && !rest.iter().filter(other).any(|&p| holds(p))
 }
 
 #[cfg(test)]

@@ -126,7 +126,7 @@ pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
 }
 
 /// Returns, of the sites in the cubes around the point, the site whose coordinates x + y + z have the least sum.
-pub fn site_with_least_sum(p: DVec3) -> DVec3 {
+pub fn site_with_least_xyz(p: DVec3) -> DVec3 {
     let (cell, within) = Cell::cell_and_position(p);
     let corner = p - within;
     let sites = AROUND

@@ -83,19 +83,19 @@ impl Orbits {
         Ok(Self { iterations, exterior, interior })
     }
 
-    /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until it has `left`.
+    /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until `has_left` is true.
     /// `includes_start` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
     fn orbit_pattern_value<const BLOCK: u32>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
-        left: impl Fn(Complex) -> bool,
+        has_left: impl Fn(Complex) -> bool,
         includes_start: bool,
     ) -> f64 {
         // Only interior type 1 needs the least distance from 0: loops without it are faster.
         let end = match self.interior.kind {
-            1 => self.follow_orbit::<BLOCK, true>(z, step, left, includes_start),
-            _ => self.follow_orbit::<BLOCK, false>(z, step, left, includes_start),
+            1 => self.follow_orbit::<BLOCK, true>(z, step, has_left, includes_start),
+            _ => self.follow_orbit::<BLOCK, false>(z, step, has_left, includes_start),
         };
         match end {
             End::Left(i, z) => {
@@ -103,8 +103,8 @@ impl Orbits {
                 match kind {
                     1 => f64::from(i) / f64::from(self.iterations),
                     6 => z.length_squared().sqrt() * factor,
-                    7 => Self::wrapped_count(i, factor.trunc(), factor),
-                    8 => Self::wrapped_count(i, factor.trunc() + 1.0, factor),
+                    7 => Self::wrapped_count_over_factor(i, factor.trunc(), factor),
+                    8 => Self::wrapped_count_over_factor(i, factor.trunc() + 1.0, factor),
                     _ => Self::last_position_value(kind, z) * factor,
                 }
             }
@@ -125,7 +125,7 @@ impl Orbits {
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
-        left: impl Fn(Complex) -> bool,
+        has_left: impl Fn(Complex) -> bool,
         includes_start: bool,
     ) -> End {
         let (mut z, mut least) = (z, if includes_start { z.length_squared() } else { f64::INFINITY });
@@ -140,19 +140,19 @@ impl Orbits {
         let (mut been, mut since, mut change) = (Complex::new(f64::NAN, f64::NAN), 0, BLOCK);
         let mut i = 0;
         while i < self.iterations {
-            // Iterate some steps without tests; if the orbit left meanwhile, repeat them one by one.
+            // Iterate some steps without tests; if the orbit has left meanwhile, repeat them one by one.
             let (mut ahead, mut ahead_least) = (z, least);
             let blind = self.iterations - i >= BLOCK;
             if blind {
                 (0..BLOCK).for_each(|_| next(&mut ahead, &mut ahead_least));
             }
-            if blind && !(ahead.x + ahead.y).is_nan() && !left(ahead) {
+            if blind && !(ahead.x + ahead.y).is_nan() && !has_left(ahead) {
                 (z, least) = (ahead, ahead_least);
                 i += BLOCK;
             } else {
                 for _ in 0..BLOCK.min(self.iterations - i) {
                     next(&mut z, &mut least);
-                    if left(z) {
+                    if has_left(z) {
                         return End::Left(i, z);
                     }
                     i += 1;
@@ -181,7 +181,7 @@ impl Orbits {
 
     /// Returns `i` modulo `period`, divided by the factor (quirk: `fractal_types`); 0 for a `period` of 0, where POV-Ray
     /// crashes.
-    fn wrapped_count(i: u32, period: f64, factor: f64) -> f64 {
+    fn wrapped_count_over_factor(i: u32, period: f64, factor: f64) -> f64 {
         if period == 0.0 { 0.0 } else { f64::from(i) % period / factor }
     }
 

@@ -140,7 +140,7 @@ fn run(shared: &Mutex<Shared>, events: &Receiver<()>, changed: &dyn Fn()) {
             Err(RecvTimeoutError::Disconnected) => std::thread::sleep(POLL_INTERVAL),
         }
         let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
-        let has_changed = shared.check();
+        let has_changed = shared.has_changed_since_check();
         drop(shared);
         if has_changed {
             changed();
@@ -150,7 +150,7 @@ fn run(shared: &Mutex<Shared>, events: &Receiver<()>, changed: &dyn Fn()) {
 
 impl Shared {
     /// Checks all files; true if one has changed or appeared since the last check.
-    fn check(&mut self) -> bool {
+    fn has_changed_since_check(&mut self) -> bool {
         let mut has_changed = false;
         for (path, file) in &mut self.files {
             has_changed |= file.has_changed(path);

@@ -159,13 +159,14 @@ const HEADERS: &str = "Cache-Control: no-store\r\n\
     X-Content-Type-Options: nosniff\r\n\
     Connection: close\r\n";
 
-/// Sends an HTTP response with a status, a content type (`kind`) and a body.
+/// Sends an HTTP response with a status, a `content_type` and a body.
 ///
 /// # Errors
 /// If the client is gone.
-pub fn answer(stream: &mut TcpStream, status: &str, kind: &str, body: &[u8]) -> io::Result<()> {
+pub fn answer(stream: &mut TcpStream, status: &str, content_type: &str, body: &[u8]) -> io::Result<()> {
     let length = body.len();
-    let head = format!("HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {length}\r\n{HEADERS}\r\n");
+    let head =
+        format!("HTTP/1.1 {status}\r\nContent-Type: {content_type}\r\nContent-Length: {length}\r\n{HEADERS}\r\n");
     stream.write_all(&[head.as_bytes(), body].concat())
 }
 

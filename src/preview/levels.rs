@@ -21,7 +21,7 @@ const SHORT: f64 = 0.3;
 ///
 /// # Errors
 /// If `cancel` was cancelled.
-pub fn render_progressively(
+pub fn render_and_time_first_level(
     world: &World,
     options: &Options,
     screen: &Screen,

@@ -122,7 +122,7 @@ impl Server {
             "page.css" => http::answer(to, "200 OK", "text/css; charset=utf-8", STYLE),
             "page.js" => http::answer(to, "200 OK", "text/javascript; charset=utf-8", SCRIPT),
             "icon.svg" => http::answer(to, "200 OK", "image/svg+xml", ICON),
-            "events" => stream::send(to, &self.screen),
+            "events" => stream::send_until_closed(to, &self.screen),
             "before.png" => self.send_previous_picture(to),
             "pick" => {
                 let (x, y) = (request.query_number("x").unwrap_or(0), request.query_number("y").unwrap_or(0));

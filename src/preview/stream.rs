@@ -18,7 +18,7 @@ const PAUSE: Duration = Duration::from_millis(16);
 ///
 /// # Errors
 /// Always, when the connection is closed.
-pub fn send(stream: &mut TcpStream, screen: &Screen) -> io::Result<()> {
+pub fn send_until_closed(stream: &mut TcpStream, screen: &Screen) -> io::Result<()> {
     http::begin_events(stream)?;
     let mut cursor = Cursor::default();
     loop {

@@ -37,17 +37,17 @@ impl Corners<'_> {
 
     /// Takes the sample at a position, in smallest pieces from the pixel's top left corner. Pixels that share the
     /// position get the same sample.
-    pub fn sample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], [right, down]: [u32; 2]) -> Pixel {
+    pub fn sample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], [pieces_right, pieces_down]: [u32; 2]) -> Pixel {
         let pieces = self.pieces_per_edge();
-        let (x, y) = (x + (right / pieces) as usize, y + (down / pieces) as usize);
-        let (right, down) = (right % pieces, down % pieces);
+        let (x, y) = (x + (pieces_right / pieces) as usize, y + (pieces_down / pieces) as usize);
+        let (pieces_right, pieces_down) = (pieces_right % pieces, pieces_down % pieces);
         // (There is one corner more than pixels in a row.)
         let number = y as u64 * (self.width as u64 + 1) + x as u64;
-        sampler.begin_sample(number, u64::from(down) << 32 | u64::from(right));
+        sampler.begin_sample(number, u64::from(pieces_down) << 32 | u64::from(pieces_right));
         let random = sampler.random(Purpose::PixelPosition);
         let off = |i| if self.jitter == 0.0 { 0.0 } else { (random.at(i) - 0.5) * self.jitter };
         let at = |corner: usize, piece: u32, i| corner as f64 + (f64::from(piece) + off(i)) / f64::from(pieces);
-        pixel(&sampler.sample(at(x, right, 0), at(y, down, 1)))
+        pixel(&sampler.sample(at(x, pieces_right, 0), at(y, pieces_down, 1)))
     }
 
     /// Computes a pixel from the samples at its corners.
@@ -60,30 +60,38 @@ impl Corners<'_> {
 
 impl Subdivision<'_, '_, '_, '_> {
     /// Returns the sample at a position, in smallest pieces from the pixel's top left corner. Each sample is taken once.
-    fn cached_sample(&mut self, [right, down]: [u32; 2]) -> Pixel {
+    fn cached_sample(&mut self, [pieces_right, pieces_down]: [u32; 2]) -> Pixel {
         let pieces = self.corners.pieces_per_edge();
-        if right % pieces == 0 && down % pieces == 0 {
-            return *self.corner_samples.at(self.x + (right / pieces) as usize, self.y + (down / pieces) as usize);
+        if pieces_right % pieces == 0 && pieces_down % pieces == 0 {
+            return *self
+                .corner_samples
+                .at(self.x + (pieces_right / pieces) as usize, self.y + (pieces_down / pieces) as usize);
         }
-        if let Some(known) = self.between.get(&[right, down]) {
+        if let Some(known) = self.between.get(&[pieces_right, pieces_down]) {
             return *known;
         }
-        let sample = self.corners.sample(self.sampler, [self.x, self.y], [right, down]);
-        self.between.insert([right, down], sample);
+        let sample = self.corners.sample(self.sampler, [self.x, self.y], [pieces_right, pieces_down]);
+        self.between.insert([pieces_right, pieces_down], sample);
         sample
     }
 
     /// Returns the mean of a square piece, subdivided where its corners differ.
-    fn piece_mean(&mut self, [right, down]: [u32; 2], edge: u32) -> [f64; 4] {
-        let places = [[right, down], [right + edge, down], [right, down + edge], [right + edge, down + edge]];
+    fn piece_mean(&mut self, [pieces_right, pieces_down]: [u32; 2], edge_pieces: u32) -> [f64; 4] {
+        let places = [
+            [pieces_right, pieces_down],
+            [pieces_right + edge_pieces, pieces_down],
+            [pieces_right, pieces_down + edge_pieces],
+            [pieces_right + edge_pieces, pieces_down + edge_pieces],
+        ];
         let corners = places.map(|place| self.cached_sample(place));
         let differ =
             (1..4).any(|i| (0..i).any(|j| self.corners.difference.reaches_threshold(&corners[i], &corners[j])));
-        let parts = if edge == 1 || !differ || self.sampler.is_stopped() {
+        let parts = if edge_pieces == 1 || !differ || self.sampler.is_stopped() {
             corners.map(|corner| corner.map(f64::from))
         } else {
-            let half = edge / 2;
-            [[0, 0], [half, 0], [0, half], [half, half]].map(|[x, y]| self.piece_mean([right + x, down + y], half))
+            let half = edge_pieces / 2;
+            [[0, 0], [half, 0], [0, half], [half, half]]
+                .map(|[x, y]| self.piece_mean([pieces_right + x, pieces_down + y], half))
         };
         [0, 1, 2, 3].map(|c| parts.iter().map(|part| part[c]).sum::<f64>() * 0.25)
     }

@@ -51,7 +51,7 @@ impl<'a> Preparation<'a> {
 
     /// Runs a pass: returns the results of `work` for all jobs, in the order of the jobs. `work` reads only what earlier
     /// passes have computed.
-    pub fn pass<J: Sync, T: Send>(
+    pub fn run_pass<J: Sync, T: Send>(
         &self,
         name: &'static str,
         jobs: &[J],
@@ -69,7 +69,7 @@ impl<'a> Preparation<'a> {
 
     /// Runs a pass in batches: passes the results of each batch to `merge`, in the order of the jobs, before the next batch
     /// begins. `batch_size` returns the number of jobs of the next batch, which must not depend on the number of threads.
-    pub fn pass_in_batches<J: Sync, T: Send, S: Sync>(
+    pub fn run_pass_in_batches<J: Sync, T: Send, S: Sync>(
         &self,
         pass: &Pass<J>,
         state: &mut S,
@@ -165,7 +165,7 @@ pub(super) fn prepare<'w>(
     context.photons = Photons::loaded(&context);
     if let Some(pass) = PhotonPass::new(&context).filter(|_| context.photons.is_none()) {
         let is_cancelled = || preparation.is_cancelled();
-        let shards = preparation.pass("photons", pass.jobs(), |job| {
+        let shards = preparation.run_pass("photons", pass.jobs(), |job| {
             Tracer::new(&context, &is_cancelled).shoot_photons(&pass, job).ok_or(Cancelled)
         })?;
         context.photons = Some(pass.finish(shards));

@@ -96,7 +96,7 @@ fn run_pass(
     let is_cancelled = || preparation.is_cancelled();
     let work = |context: &FrameContext, cell: &[u32; 2]| {
         let mut sampler = Sampler::new(context, camera, &is_cancelled);
-        for [x, y] in grid.points(*cell) {
+        for [x, y] in grid.pixel_positions(*cell) {
             // Random numbers are keyed by the point and the pass.
             sampler.begin_sample(x.to_bits() ^ y.to_bits().rotate_left(32), u64::MAX - number);
             sampler.sample(x, y);
@@ -106,7 +106,7 @@ fn run_pass(
         }
         Ok(sampler.take_radiosity_samples())
     };
-    preparation.pass_in_batches(
+    preparation.run_pass_in_batches(
         &Pass { name: "radiosity", jobs: &grid.cells() },
         context,
         |context| (n_samples(context) / BATCH_SHARE).clamp(MIN_BATCH, MAX_BATCH),
@@ -149,7 +149,7 @@ impl PointGrid {
     }
 
     /// Returns the points of a cell, (x, y) in pixels, row by row.
-    fn points(self, cell: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
+    fn pixel_positions(self, cell: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
         let across = self.point_columns_and_rows();
         let range = |i: usize| {
             let first = cell[i] as usize * self.edge;
@@ -170,7 +170,7 @@ mod tests {
         for size in [[1, 1], [1, 7], [13, 10], [16, 16], [21, 34]] {
             for edge in [1, 8] {
                 let grid = PointGrid { size, step: 1.0, edge };
-                let mut points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.points(cell)).collect();
+                let mut points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.pixel_positions(cell)).collect();
                 points.sort_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
                 let pixel = |i: usize| [(i % size[0]) as f64 + 0.5, (i / size[0]) as f64 + 0.5];
                 assert_eq!(points, (0..size[0] * size[1]).map(pixel).collect::<Vec<_>>());
@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn coarse_grids_stay_in_the_picture() {
         let grid = PointGrid { size: [20, 13], step: 8.0, edge: 1 };
-        let points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.points(cell)).collect();
+        let points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.pixel_positions(cell)).collect();
         assert_eq!(points.len(), 6);
         assert!(points.iter().all(|[x, y]| *x < 20.0 && *y < 13.0));
     }

@@ -53,14 +53,16 @@ impl<'w> Sampler<'w> {
 
     /// Returns the radiance through a point of the picture, the mean over all rays of a camera with several per point.
     #[inline]
-    pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
+    pub fn sample(&mut self, x_pixels: f64, y_pixels: f64) -> Radiance {
         let view = &self.camera.view;
         let count = view.rays_per_point();
         if count <= 1 {
-            return view.ray(x, y).map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray));
+            return view
+                .ray_at_pixel_position(x_pixels, y_pixels)
+                .map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray));
         }
         let (mut rgb, mut transparency, mut found) = (Rgb::ZERO, 1.0, 0.0);
-        for ray in (0..count).filter_map(|number| view.nth_ray(x, y, number)) {
+        for ray in (0..count).filter_map(|number| view.nth_ray_at_pixels(x_pixels, y_pixels, number)) {
             let radiance = self.tracer.camera_radiance(ray);
             (rgb, transparency, found) = (rgb + radiance.rgb, transparency + radiance.transparency, found + 1.0);
         }
@@ -71,8 +73,12 @@ impl<'w> Sampler<'w> {
     }
 
     /// Returns the radiance through a point of the picture and a point of the lens, which is in [0, 1)².
-    pub fn lens_sample(&mut self, x: f64, y: f64, lens: &Lens, point: DVec2) -> Radiance {
-        let ray = self.camera.view.ray(x, y).map(|ray| lens.ray_through_lens(&ray, point, &self.camera.axes));
+    pub fn lens_sample(&mut self, x_pixels: f64, y_pixels: f64, lens: &Lens, unit_square_point: DVec2) -> Radiance {
+        let ray = self
+            .camera
+            .view
+            .ray_at_pixel_position(x_pixels, y_pixels)
+            .map(|ray| lens.ray_through_lens(&ray, unit_square_point, &self.camera.axes));
         ray.map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray))
     }
 }

@@ -35,13 +35,13 @@ const BATCH: usize = 256;
 pub type BlockReceiver<'a> = dyn FnMut(Region, &[[f32; 4]]) -> diagnostic::Result<()> + Send + 'a;
 
 /// Returns the edge of the blocks of a picture, in pixels. The corners of blocks are at multiples of the edge.
-pub fn block_edge(options: &Options, count: usize) -> usize {
+pub fn block_edge(options: &Options, shard_count: usize) -> usize {
     let region = options.rendered_region();
     let n_blocks = |edge: usize| region.width.div_ceil(edge) * region.height.div_ceil(edge);
     // The grid of anti-aliasing compares pixels within blocks of its own.
     let is_whole = |edge: usize| edge.is_multiple_of(antialias::antialias_block_edge(options).unwrap_or(1));
     let allowed = || EDGES.into_iter().filter(|&edge| is_whole(edge));
-    let fitting = allowed().find(|&edge| n_blocks(edge) >= BLOCKS_PER_SHARD.saturating_mul(count));
+    let fitting = allowed().find(|&edge| n_blocks(edge) >= BLOCKS_PER_SHARD.saturating_mul(shard_count));
     fitting.or(allowed().next_back()).unwrap_or(EDGES[0])
 }
 

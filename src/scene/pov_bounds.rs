@@ -66,7 +66,7 @@ fn operand_restriction_box(part: &Object, is_subtracted: bool) -> Aabb {
             Some((normal, distance)) if part.uncommon.clipped_by.is_none() => {
                 let point = part.transform.transform_point(normal * distance);
                 let normal = part.transform.transform_normal(normal).normalize();
-                half_space(if inverse { -normal } else { normal }, point)
+                axis_aligned_half_space(if inverse { -normal } else { normal }, point)
             }
             _ if inverse || shape.solid_bounds().is_some() => Aabb::INFINITE,
             _ => part.pov_bounds(),
@@ -77,7 +77,7 @@ fn operand_restriction_box(part: &Object, is_subtracted: bool) -> Aabb {
 }
 
 /// Returns the half-space below an axis-aligned plane as a box; an infinite box for any other plane.
-fn half_space(normal: DVec3, point: DVec3) -> Aabb {
+fn axis_aligned_half_space(normal: DVec3, point: DVec3) -> Aabb {
     let mut out = Aabb::INFINITE;
     for axis in 0..3 {
         if normal[axis] > 1.0 - 1e-9 {

@@ -4,7 +4,7 @@ use super::{LightKind, SavedLight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::value::ValueKind::{Flag, Float, Text};
-use crate::value::ranges::{in_range, not_negative, positive, share_up_to_one, whole};
+use crate::value::ranges::{in_range, not_negative, positive, share_up_to_one, whole_from_one};
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -40,10 +40,10 @@ pub struct Radiosity {
     /// Maximum of the largest channel of a ray's light; no limit unless positive.
     pub max_sample: f64,
     /// Maximum radius of a sample, as a share of its distance from the camera; `None` if the scene states none. See
-    /// [`Radiosity::reuse_radius_limits`].
+    /// [`Radiosity::relative_reuse_radius_limits`].
     pub maximum_reuse: Option<f64>,
     /// Minimum radius of a sample, as a share of its distance from the camera; `None` if the scene states none. See
-    /// [`Radiosity::reuse_radius_limits`].
+    /// [`Radiosity::relative_reuse_radius_limits`].
     pub minimum_reuse: Option<f64>,
     /// True if rays that gather light show fog and media.
     pub media: bool,
@@ -106,7 +106,7 @@ const ROWS: &[Row<Radiosity>] = &[
     word("brightness", Float, "1", "factor of gathered light at each bounce")
         .sets(|s, r| set(&mut s.brightness, positive("brightness", r))),
     word("count", Float, "35", "number of rays of a sample; a second number: how many directions to choose from")
-        .sets(Radiosity::read_count),
+        .sets(Radiosity::read_direction_count),
     word("error_bound", Float, "1.8", "how far samples are reused: less is slower and more accurate")
         .sets(|s, r| set(&mut s.error_bound, positive("error_bound", r))),
     word("gray_threshold", Float, "0", "share of the gathered light's saturation that is removed, from 0 to 1")
@@ -134,7 +134,7 @@ const ROWS: &[Row<Radiosity>] = &[
     word("pretrace_end", Float, "0.04", "distance of the last pass's pixels, as a share of the picture's width")
         .sets(|s, r| set(&mut s.pretrace_end, share_up_to_one("pretrace_end", r))),
     word("recursion_limit", Float, "2", "maximum number of diffuse bounces, 1 to 20")
-        .sets(|s, r| set(&mut s.recursion_limit, whole("recursion_limit", 20, r))),
+        .sets(|s, r| set(&mut s.recursion_limit, whole_from_one("recursion_limit", 20, r))),
     word("subsurface", Flag, "off", "rays that gather light show `finish { subsurface }`")
         .sets(|s, r| set(&mut s.subsurface, r.flag())),
     word("load_file", Text, "", "file with samples to use in place of computing them")
@@ -174,7 +174,7 @@ impl Radiosity {
 
     /// Returns the minimum and the maximum radius of a sample, as shares of its distance from the camera. If only one of
     /// them is stated, the other one is at least twice or at most half as large.
-    pub fn reuse_radius_limits(&self) -> [f64; 2] {
+    pub fn relative_reuse_radius_limits(&self) -> [f64; 2] {
         match (self.minimum_reuse, self.maximum_reuse) {
             (Some(minimum), Some(maximum)) => [minimum, maximum],
             (Some(minimum), None) => [minimum, MAXIMUM_REUSE.max(2.0 * minimum)],
@@ -185,7 +185,7 @@ impl Radiosity {
 
     /// Checks settings that depend on each other.
     fn check_ranges(&self, at: Span) -> Result<()> {
-        let [minimum, maximum] = self.reuse_radius_limits();
+        let [minimum, maximum] = self.relative_reuse_radius_limits();
         if minimum >= maximum {
             return Diagnostic::err(codes::BAD_ARGUMENT, at, "`minimum_reuse` has to be less than `maximum_reuse`");
         }
@@ -199,8 +199,8 @@ impl Radiosity {
         Ok(())
     }
 
-    fn read_count(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.count = whole("count", MAX_COUNT, r)?;
+    fn read_direction_count(&mut self, r: &mut dyn Reader) -> Result<()> {
+        self.count = whole_from_one("count", MAX_COUNT, r)?;
         let at = r.span();
         self.pool = r.optional_float()?.map(|pool| pool.clamp(0.0, f64::from(MAX_COUNT)) as u32);
         match self.pool {
@@ -213,7 +213,7 @@ impl Radiosity {
     }
 
     fn read_nearest_count(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.nearest_count = whole("nearest_count", 20, r)?;
+        self.nearest_count = whole_from_one("nearest_count", 20, r)?;
         let at = r.span();
         match r.optional_float()? {
             Some(count) if count > f64::from(self.nearest_count) => {

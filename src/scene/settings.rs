@@ -81,7 +81,9 @@ impl Settings {
                 Next::Block("photons") => self.photons = Some(PhotonMapSettings::read(r)?),
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     r.take_token()?;
-                    while r.is_at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
+                    while r.may_be_at_color()?
+                        || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys"))
+                    {
                         r.skip_item()?;
                     }
                 }

@@ -14,7 +14,7 @@
 
 use super::{Bounding, HUGE, Hit, Hits, Kernel, Quirks};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec3, MAX_DEGREE, Range, Ray, Transform, roots_on_line, tolerance};
+use crate::math::{Aabb, DVec3, MAX_DEGREE, Range, Ray, Transform, polynomial_roots_between, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, word};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind, WordSpec};
@@ -201,9 +201,9 @@ impl<const FORM: usize> Algebraic<FORM> {
             range.contains(t) && t.is_finite() && found(t)
         };
         if self.order <= 4 {
-            roots_on_line(&self.along_line::<5>(o, v).c, lo, hi, &mut report_root);
+            polynomial_roots_between(&self.along_line::<5>(o, v).c, lo, hi, &mut report_root);
         } else {
-            roots_on_line(&self.along_line::<{ MAX_DEGREE + 1 }>(o, v).c, lo, hi, &mut report_root);
+            polynomial_roots_between(&self.along_line::<{ MAX_DEGREE + 1 }>(o, v).c, lo, hi, &mut report_root);
         }
     }
 
@@ -265,8 +265,11 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
             1 => 4,
             _ => read_order(FORMS[FORM], r)?,
         };
-        let coefficients =
-            if FORM == 3 { vec![0.0; coefficient_count(order)] } else { r.numbers(coefficient_count(order))? };
+        let coefficients = if FORM == 3 {
+            vec![0.0; coefficient_count(order)]
+        } else {
+            r.numbers_in_angle_brackets(coefficient_count(order))?
+        };
         Ok(Self::new(order, coefficients))
     }
 

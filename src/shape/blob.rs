@@ -109,7 +109,7 @@ impl Blob {
                 stretch.add_to_polynomial(middle, &mut sum);
             }
             let mut is_stopped = false;
-            bernstein_roots(&bernstein_coefficients(&sum, (hi - lo) / 2.0), &mut |u| {
+            bernstein_roots(&bernstein_from_descending(&sum, (hi - lo) / 2.0), &mut |u| {
                 let t = lo + u * (hi - lo) + start;
                 is_stopped = range.contains(t) && visit(t).is_break();
                 is_stopped
@@ -172,7 +172,7 @@ impl<'a> RunningSum<'a> {
         }
         // With all Bernstein coefficients of one sign, there is no root (Farouki and Rajan, On the numerical condition of
         // polynomials in Bernstein form, 1987).
-        let b = bernstein_coefficients(&c, half);
+        let b = bernstein_from_descending(&c, half);
         b.iter().all(|b| *b > error) || b.iter().all(|b| *b < -error)
     }
 
@@ -188,7 +188,7 @@ impl<'a> RunningSum<'a> {
 
 /// Returns the Bernstein coefficients of a polynomial of degree 4 between -half_width and half_width, whose coefficients are
 /// those of t⁴ … t⁰.
-fn bernstein_coefficients(coefficients: &[f64; 5], half_width: f64) -> [f64; 5] {
+fn bernstein_from_descending(coefficients: &[f64; 5], half_width: f64) -> [f64; 5] {
     // As a polynomial of x = t/half_width: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
     let [p4, p3, p2, p1, p0] = [
         coefficients[0] * half_width * half_width * half_width * half_width,

@@ -42,8 +42,8 @@ impl Lathe {
         let bezier = interpolation == Interpolation::Bezier;
         let inner_radius = if bezier { curve.control_bounds().0.x } else { min.x };
         let segment = |i: usize| {
-            let radius = curve.affine_coefficients(i, |p| p.x);
-            (curve.affine_coefficients(i, |p| p.y), bernstein_product(&radius, &radius))
+            let radius = curve.affine_bernstein_coefficients(i, |p| p.x);
+            (curve.affine_bernstein_coefficients(i, |p| p.y), bernstein_product(&radius, &radius))
         };
         let walls = Walls::new((0..curve.segments.len()).map(segment), 0.5 * (min.y + max.y));
         Self { interpolation, curve, inner_radius, walls }

@@ -90,20 +90,20 @@ impl Readable for Plane {
             "",
             "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
         )
-        .sets(|_, r| second_form_error("implicit", r)),
+        .sets(|_, r| form_word_not_first_error("implicit", r)),
         word(
             "point",
             ValueKind::Block,
             "",
             "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
         )
-        .sets(|_, r| second_form_error("point", r)),
+        .sets(|_, r| form_word_not_first_error("point", r)),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let start = r.span();
         let plane = if r.accept("implicit")? {
-            let n = r.numbers(4)?;
+            let n = r.numbers_in_angle_brackets(4)?;
             check_finite(start, &[], &n)?;
             Self::from_implicit([n[0], n[1], n[2], n[3]])
         } else if r.accept("point")? {
@@ -122,7 +122,7 @@ impl Readable for Plane {
 }
 
 /// Returns the error for a word of another form of a plane that is not first.
-fn second_form_error(word: &str, r: &mut dyn Reader) -> Result<()> {
+fn form_word_not_first_error(word: &str, r: &mut dyn Reader) -> Result<()> {
     let help = "write either `normal, distance` or one of the forms with words";
     let message = format!("`{word}` must be the first thing in a `plane`");
     Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())

@@ -103,7 +103,7 @@ impl Prism {
         }
         let way = self.range_between_lids(ray, range);
         for segment in (0..self.outlines.segments.len()).filter(|segment| self.may_hit_segment(ray, *segment, way)) {
-            let b = self.outlines.affine_coefficients(segment, |p| c + n.dot(p));
+            let b = self.outlines.affine_bernstein_coefficients(segment, |p| c + n.dot(p));
             bernstein_roots(&b, &mut |at| {
                 let t = self.wall_hit_parameter(ray, self.outlines.point_at(segment, at));
                 let y = ray.at(t).y;

@@ -40,7 +40,7 @@ pub struct Sor {
 
 /// Squared radius of a surface of revolution from the second to the third of four points: a cubic function of the
 /// height with the slopes 2·r·dr/dh of the chords from each end's neighbours (manual, "Surface of Revolution").
-fn squared_radius_coefficients(points: &[DVec2]) -> [f64; 4] {
+fn squared_radius_bernstein_coefficients(points: &[DVec2]) -> [f64; 4] {
     let step = (points[2].y - points[1].y) / 3.0;
     let slope = |before: DVec2, at: DVec2, after: DVec2| 2.0 * at.x * (after.x - before.x) / (after.y - before.y);
     let (from, to) = (points[1].x * points[1].x, points[2].x * points[2].x);
@@ -50,7 +50,7 @@ fn squared_radius_coefficients(points: &[DVec2]) -> [f64; 4] {
 impl Sor {
     /// Creates a surface of revolution through at least four points with increasing heights.
     pub fn new(points: Vec<DVec2>, open: bool) -> Self {
-        let squares: Vec<[f64; 4]> = points.windows(4).map(squared_radius_coefficients).collect();
+        let squares: Vec<[f64; 4]> = points.windows(4).map(squared_radius_bernstein_coefficients).collect();
         let level = 0.5 * (points[1].y + points[points.len() - 2].y);
         let segment = |(p, squares): (&[DVec2], &[f64; 4])| (smallvec![p[1].y, p[2].y], squares.to_vec());
         let walls = Walls::new(points.windows(4).zip(&squares).map(segment), level);

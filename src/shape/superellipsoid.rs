@@ -53,7 +53,7 @@ fn power(x: f64, a: f64) -> f64 {
 }
 
 /// Computes x^(1/degree) of a number between 1 and 2, for a degree that is often a power of two.
-fn nth_root(x: f64, degree: f64) -> f64 {
+fn nth_root_of_one_to_two(x: f64, degree: f64) -> f64 {
     match degree {
         _ if x == 1.0 || degree == 1.0 => x,
         2.0 => x.sqrt(),
@@ -78,7 +78,7 @@ fn norm_and_derivatives(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
         _ => f64::INFINITY,
     };
     let sum = if ratio > 0.0 { 1.0 + slope * ratio } else { 1.0 };
-    let root = nth_root(sum, a);
+    let root = nth_root_of_one_to_two(sum, a);
     let (value, by_big) = (big * root, root / sum);
     let by_small = by_big * slope;
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
@@ -118,8 +118,8 @@ fn power_from_logarithm(ln: f64, n: f64) -> f64 {
 }
 
 /// Logarithm of (xᵃ + yᵃ)^(1/a) from the logarithms of x and y.
-fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
-    let (big, small) = if x > y { (x, y) } else { (y, x) };
+fn ln_norm_of_logarithms(ln_x: f64, ln_y: f64, a: f64) -> f64 {
+    let (big, small) = if ln_x > ln_y { (ln_x, ln_y) } else { (ln_y, ln_x) };
     big + fp::ln(1.0 + power_from_logarithm(small - big, a)) / a
 }
 
@@ -192,7 +192,7 @@ impl Superellipsoid {
             return false;
         }
         let length = hi.s - lo.s;
-        let slopes = self.derivative_bounds(&near, &far, (hi.p - lo.p) / length);
+        let slopes = self.scaled_derivative_bounds(&near, &far, (hi.p - lo.p) / length);
         if slopes.0 > 0.0 || slopes.1 < 0.0 || length < 1e-13 {
             let begins_inside = self.gauge_and_gradient(lo.p).0 <= 1.0;
             let differ = begins_inside != (self.gauge_and_gradient(hi.p).0 <= 1.0);
@@ -209,13 +209,13 @@ impl Superellipsoid {
     /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
     /// one exponential.
     fn term_logarithms(&self, ln_point: DVec3) -> TermLogarithms {
-        let across = ln_norm(ln_point.x, ln_point.y, 2.0 / self.e);
-        TermLogarithms { of: ln_point, across, gauge: ln_norm(across, ln_point.z, 2.0 / self.n) }
+        let across = ln_norm_of_logarithms(ln_point.x, ln_point.y, 2.0 / self.e);
+        TermLogarithms { of: ln_point, across, gauge: ln_norm_of_logarithms(across, ln_point.z, 2.0 / self.n) }
     }
 
     /// Bounds of the derivative of the superellipsoid's (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by
     /// b.
-    fn derivative_bounds(&self, near: &TermLogarithms, far: &TermLogarithms, v: DVec3) -> (f64, f64) {
+    fn scaled_derivative_bounds(&self, near: &TermLogarithms, far: &TermLogarithms, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
             let (x, y) = (power_from_logarithm(lo, n), power_from_logarithm(hi, n));

@@ -70,7 +70,10 @@ struct Glyph {
 impl Glyph {
     fn new(curves: Outline) -> Self {
         let ends = |better: fn(DVec2, DVec2) -> DVec2| {
-            curves.iter().flat_map(|curve| [curve[0], curve_extremum(curve, better), curve[2]]).reduce(better)
+            curves
+                .iter()
+                .flat_map(|curve| [curve[0], extremum_of_turning_points(curve, better), curve[2]])
+                .reduce(better)
         };
         let (min, max) = (ends(DVec2::min).unwrap_or_default(), ends(DVec2::max).unwrap_or_default());
         Self { curves, min, max }
@@ -89,7 +92,7 @@ impl Glyph {
             let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
             let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
                 if (y0 <= 0.0) != (y1 <= 0.0) {
-                    odd ^= curve_point([a, b, c], quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
+                    odd ^= curve_point([a, b, c], bernstein_quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
                 }
             };
             if turn > 0.0 && turn < 1.0 {
@@ -106,7 +109,7 @@ impl Glyph {
 
 /// Returns the curve's turning points along x and y, combined by `better` (componentwise minimum or maximum). The
 /// curve's start replaces a turning point that is not between the ends.
-fn curve_extremum(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
+fn extremum_of_turning_points(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
     let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
     let inner = |s: f64| if s > 0.0 && s < 1.0 { curve_point(*curve, s) } else { curve[0] };
     better(inner(turn.x), inner(turn.y))
@@ -118,7 +121,7 @@ fn curve_point([a, b, c]: Curve, s: f64) -> DVec2 {
 }
 
 /// Returns the only root of (1 - s)²·a + 2s(1 - s)·b + s²·c between s0 and s1.
-fn quadratic_root_between(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
+fn bernstein_quadratic_root_between(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
     let middle = (s0 + s1) / 2.0;
     let off = |s: &f64| (s - middle).abs();
     match solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) {
@@ -240,9 +243,9 @@ impl Text {
     }
 
     /// Returns the text's letter that has this part, and the part's number within the letter.
-    fn letter_and_own_part(&self, number: u32) -> (&Letter, u32) {
-        let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
-        (letter, number - letter.first)
+    fn letter_and_own_part(&self, part_of_text: u32) -> (&Letter, u32) {
+        let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= part_of_text) - 1];
+        (letter, part_of_text - letter.first)
     }
 }
 

@@ -94,14 +94,15 @@ impl Torus {
 
     /// Calls `found` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true. `o` is
     /// the point of the ray nearest to the origin, so that o·v = 0.
-    fn find_ray_roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
+    fn find_ray_roots(&self, nearest_to_origin: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²
-        let k = o.length_squared() + major2 - minor2;
+        let k = nearest_to_origin.length_squared() + major2 - minor2;
         let c2 = 2.0 * k - 4.0 * major2 * (v.x * v.x + v.z * v.z);
-        let c1 = -8.0 * major2 * (o.x * v.x + o.z * v.z);
+        let c1 = -8.0 * major2 * (nearest_to_origin.x * v.x + nearest_to_origin.z * v.z);
         // K² - 4R²ρ² = (K - 2Rρ)·(K + 2Rρ) at s = 0
-        let (rho, rest) = (fp::hypot(o.x, o.z), o.y * o.y - minor2);
+        let (rho, rest) =
+            (fp::hypot(nearest_to_origin.x, nearest_to_origin.z), nearest_to_origin.y * nearest_to_origin.y - minor2);
         let c0 = ((rho - self.major).powi(2) + rest) * ((rho + self.major).powi(2) + rest);
         // Substitute s = lo + u·w, with u from 0 to 1
         let w = hi - lo;

@@ -66,7 +66,7 @@ impl Files for Disk {
         if is_special(&path) {
             return OpenOptions::new().write(true).open(&path)?.write_all(bytes);
         }
-        let mut file = temporary(&path)?;
+        let mut file = temporary_file_beside(&path)?;
         file.write_all(bytes)?;
         file.persist(&path).map_err(|e| e.error)?;
         Ok(())
@@ -87,7 +87,7 @@ impl Files for Disk {
         if is_special(&path) {
             return OpenOptions::new().write(true).open(&path).map(drop);
         }
-        temporary(&path).map(drop)
+        temporary_file_beside(&path).map(drop)
     }
 }
 
@@ -187,7 +187,7 @@ impl Draft {
             DraftStorage::Disk(bytes) => {
                 let mut bytes = bytes.into_inner().map_err(io::IntoInnerError::into_error)?;
                 bytes.seek(SeekFrom::Start(0))?;
-                let mut file = temporary(&self.path)?;
+                let mut file = temporary_file_beside(&self.path)?;
                 io::copy(&mut bytes, file.as_file_mut())?;
                 if self.is_durable {
                     file.as_file().sync_all()?;
@@ -270,7 +270,7 @@ fn is_special(path: &Path) -> bool {
 
 /// Creates a file in the folder of `path` that is deleted unless it gets a name. The permissions are those of any new
 /// file, since by default only the owner could read a temporary file.
-fn temporary(path: &Path) -> io::Result<NamedTempFile> {
+fn temporary_file_beside(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".durer-").suffix(".part");
     #[cfg(unix)]

@@ -106,16 +106,16 @@ pub fn open_or_create_regular(path: &Path) -> Result<File, OpenError> {
     }
     let file = options.open(path)?;
     let metadata = file.metadata()?;
-    if metadata.is_file() && !has_second_name(&metadata) { Ok(file) } else { Err(OpenError::NotPlain) }
+    if metadata.is_file() && !has_other_hard_links(&metadata) { Ok(file) } else { Err(OpenError::NotPlain) }
 }
 
 #[cfg(unix)]
-fn has_second_name(metadata: &std::fs::Metadata) -> bool {
+fn has_other_hard_links(metadata: &std::fs::Metadata) -> bool {
     std::os::unix::fs::MetadataExt::nlink(metadata) > 1
 }
 
 #[cfg(not(unix))]
-fn has_second_name(_: &std::fs::Metadata) -> bool {
+fn has_other_hard_links(_: &std::fs::Metadata) -> bool {
     false
 }
 

@@ -106,13 +106,13 @@ const MAX_DEPTH: usize = 6;
 /// Largest number of font files that a search for fonts reads.
 const MAX_FILES: usize = 20_000;
 
-fn collect_font_files(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
+fn collect_font_files(files: &dyn Files, folder: &Path, levels_left: usize, out: &mut Vec<PathBuf>) {
     let entries = files.list(folder).unwrap_or_default();
     let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| folder.join(entry.name)).collect();
     paths.sort();
     for path in paths {
-        if files.is_folder(&path) && depth > 0 {
-            collect_font_files(files, &path, depth - 1, out);
+        if files.is_folder(&path) && levels_left > 0 {
+            collect_font_files(files, &path, levels_left - 1, out);
         } else if is_font_file_name(&path) && files.is_file(&path) && out.len() < MAX_FILES {
             out.push(path);
         }

@@ -35,7 +35,7 @@ struct File {
 impl Memory {
     /// Creates or replaces a file held in memory.
     pub fn insert(&self, path: impl AsRef<Path>, bytes: impl Into<Vec<u8>>) {
-        self.stored().change(normalized(path.as_ref()), |old| *old = bytes.into());
+        self.stored().create_or_change(normalized(path.as_ref()), |old| *old = bytes.into());
     }
 
     /// Removes a file, if it exists.
@@ -64,7 +64,7 @@ impl Memory {
 }
 
 impl Stored {
-    fn change(&mut self, path: PathBuf, change: impl FnOnce(&mut Vec<u8>)) {
+    fn create_or_change(&mut self, path: PathBuf, change: impl FnOnce(&mut Vec<u8>)) {
         self.changes += 1;
         let file = self.files.entry(path).or_insert_with(|| File { bytes: vec![], changed: 0 });
         file.changed = self.changes;
@@ -72,7 +72,7 @@ impl Stored {
     }
 
     /// Returns the files below a folder, with their paths relative to it.
-    fn below(&self, folder: &Path) -> impl Iterator<Item = &Path> {
+    fn relative_paths_below(&self, folder: &Path) -> impl Iterator<Item = &Path> {
         self.files.keys().filter_map(move |path| path.strip_prefix(folder).ok())
     }
 }
@@ -92,7 +92,7 @@ impl Files for Memory {
             let modified = SystemTime::UNIX_EPOCH + Duration::from_secs(file.changed);
             return Ok(Metadata { kind: FileKind::File, length: file.bytes.len() as u64, modified: Some(modified) });
         }
-        let is_folder = path == Path::new("/") || stored.below(&path).next().is_some();
+        let is_folder = path == Path::new("/") || stored.relative_paths_below(&path).next().is_some();
         let folder = Metadata { kind: FileKind::Folder, length: 0, modified: None };
         if is_folder { Ok(folder) } else { Err(not_found()) }
     }
@@ -103,7 +103,7 @@ impl Files for Memory {
         }
         let stored = self.stored();
         let mut entries: Vec<Entry> = vec![];
-        for path in stored.below(&normalized(folder)) {
+        for path in stored.relative_paths_below(&normalized(folder)) {
             let mut parts = path.components();
             let Some(Component::Normal(name)) = parts.next() else { continue };
             let kind = if parts.next().is_some() { FileKind::Folder } else { FileKind::File };
@@ -122,7 +122,7 @@ impl Files for Memory {
     fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
         self.check_writable(path)?;
         let path = normalized(path);
-        self.stored().change(path.clone(), |bytes| {
+        self.stored().create_or_change(path.clone(), |bytes| {
             if mode == WriteMode::Truncate {
                 bytes.clear();
             }
@@ -150,7 +150,7 @@ struct Writer {
 
 impl Write for Writer {
     fn write(&mut self, new: &[u8]) -> io::Result<usize> {
-        self.memory.stored().change(self.path.clone(), |bytes| bytes.extend_from_slice(new));
+        self.memory.stored().create_or_change(self.path.clone(), |bytes| bytes.extend_from_slice(new));
         Ok(new.len())
     }
 

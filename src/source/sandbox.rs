@@ -131,8 +131,10 @@ impl<'a> Sandboxed<'a> {
         Ok(self.files.canonicalize(folder)?.join(name))
     }
 
-    fn is_below(&self, path: &Path, folders: &[PathBuf]) -> bool {
-        folders.iter().any(|folder| self.files.canonicalize(folder).is_ok_and(|folder| path.starts_with(folder)))
+    fn is_below(&self, resolved_path: &Path, folders: &[PathBuf]) -> bool {
+        folders
+            .iter()
+            .any(|folder| self.files.canonicalize(folder).is_ok_and(|folder| resolved_path.starts_with(folder)))
     }
 
     fn check_read(&self, path: &Path) -> io::Result<()> {

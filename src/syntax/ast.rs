@@ -170,7 +170,7 @@ impl Expr {
         match &self.kind {
             ExprKind::Chain(chain) => {
                 let op = chain.rest.first().map(|(op, _)| *op);
-                op.is_some_and(|op| !op.adds() && !op.multiplies())
+                op.is_some_and(|op| !op.is_addition_or_subtraction() && !op.is_multiplication_or_division())
             }
             ExprKind::Choice(_) => true,
             _ => false,
@@ -280,17 +280,17 @@ impl Operator {
     }
 
     /// True for the binary operators `*` and `/`.
-    pub fn multiplies(self) -> bool {
+    pub fn is_multiplication_or_division(self) -> bool {
         matches!(self, Operator::Mul | Operator::Div)
     }
 
     /// True for the binary operators `+` and `-`.
-    pub fn adds(self) -> bool {
+    pub fn is_addition_or_subtraction(self) -> bool {
         matches!(self, Operator::Add | Operator::Sub)
     }
 
     /// True for comparison operators such as `<`.
-    pub fn compares(self) -> bool {
+    pub fn is_comparison(self) -> bool {
         self.precedence() == Operator::Equal.precedence()
     }
 

@@ -101,7 +101,7 @@ pub fn early_brace_error(outline: &Outline) -> Option<Diagnostic> {
 pub(super) fn unclosed_directive_errors(outline: &Outline) -> Vec<Diagnostic> {
     let open: Vec<_> = directives_with_body(outline).filter(|pair| pair.closer.is_none()).collect();
     let Some(outermost) = open.first() else { return vec![] };
-    if let Some(d) = foreign_end_error(outline, outermost).or_else(|| outdented_end_error(outline)) {
+    if let Some(d) = endif_like_word_error(outline, outermost).or_else(|| outdented_end_error(outline)) {
         return vec![d];
     }
     let unclosed = |pair: &&Pair| unclosed_directive_error(outline, pair).help("add `#end` where it should end");
@@ -119,9 +119,9 @@ fn unclosed_directive_error(outline: &Outline, pair: &Pair) -> Diagnostic {
 }
 
 /// Returns the error for the first `#endif` or similar word after an open directive.
-fn foreign_end_error(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
-    let end = outline.tokens[open.opener..].iter().find(|token| is_other_end(outline.directive(token)))?;
-    let message = format!("there is no directive `#{}`", outline.directive(end));
+fn endif_like_word_error(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
+    let end = outline.tokens[open.opener..].iter().find(|token| is_other_end(outline.directive_word(token)))?;
+    let message = format!("there is no directive `#{}`", outline.directive_word(end));
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, outline.span(&end.range), message);
     let unclosed = format!("this `{}` is not closed", outline.word(open.opener));
     Some(d.also(outline.token_span(open.opener), unclosed).help("every directive with a body ends with `#end`"))

@@ -153,7 +153,7 @@ impl Brackets {
     }
 
     /// Returns the token indices of those open brackets that were opened before the outermost open directive.
-    pub(super) fn unclosed_bracket_tokens(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn bracket_tokens_outside_directives(&self) -> impl Iterator<Item = usize> + '_ {
         let outermost = self.stack.iter().take_while(|o| !matches!(o.0, Opener::Directive(_)));
         outermost.filter(|o| !o.0.is_weak()).map(|o| o.1)
     }

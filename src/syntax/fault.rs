@@ -6,10 +6,10 @@ use crate::source::Span;
 
 /// Returns the error for text that fits no rule of the grammar from the offset `at` on.
 pub fn syntax_error_at(text: &str, at: usize, base: usize) -> Diagnostic {
-    if let Some(d) = missing_condition(text, at, base) {
+    if let Some(d) = unparenthesized_condition_error(text, at, base) {
         return d;
     }
-    if let Some(d) = missing_name_or_sign(text, at, base) {
+    if let Some(d) = missing_name_or_equals_error(text, at, base) {
         return d;
     }
     let d = Diagnostic::new(
@@ -68,14 +68,14 @@ fn token_span(text: &str, at: usize, base: usize) -> Span {
 /// True if the text before the offset `at` could be the left side of a comparison.
 fn follows_operand(text: &str, at: usize) -> bool {
     let before = text[..at].trim_end();
-    match last_word(before) {
+    match word_at_end(before) {
         Some(word) => word::lookup(word).is_none(),
         None => before.ends_with(|c: char| c.is_ascii_digit() || c == ')' || c == ']'),
     }
 }
 
 /// Returns the error for a missing name or `=`, as in `#declare A 5`, `#declare = 5` and `#macro (A)`.
-fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
+fn missing_name_or_equals_error(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let before = text[..at].trim_end();
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
     let found = describe_text_at(text, at);
@@ -83,7 +83,7 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
         let d = fault(format!("expected a name after `#{directive}`, found {found}"));
         return Some(d.help("names are made of the letters a to z, digits and `_`"));
     }
-    let name = last_word(before)?;
+    let name = word_at_end(before)?;
     let directive = name_of_last_directive(before[..before.len() - name.len()].trim_end())?;
     let d = fault(format!("expected `=` after `#{directive} {name}`, found {found}"));
     let line = text[at..].lines().next().unwrap_or_default();
@@ -94,12 +94,12 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
 
 /// Returns the name of the directive that a text ends with.
 fn name_of_last_directive(text: &str) -> Option<&str> {
-    let word = last_word(text)?;
+    let word = word_at_end(text)?;
     text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
 }
 
 /// Returns the error for a condition without parentheses, as in `#if A = 1`.
-fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
+fn unparenthesized_condition_error(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let directive = text[at..].strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let word = token_at(directive, 0);
     let form = match word {
@@ -141,7 +141,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
     let before = text[..at].trim_end();
     Some(match token {
         "=" if before.ends_with('=') => "a single `=` compares".into(),
-        "=" => match last_word(before) {
+        "=" => match word_at_end(before) {
             Some(name) if word::lookup(name).is_none() => {
                 format!("to give `{name}` a value, write `#declare {name} = …;`")
             }
@@ -158,8 +158,8 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
         "\\" | "@" | "$" | "~" | "`" => "scenes have no such character outside of strings and comments".into(),
         "+" | "*" | "/" | "-" => "an operator needs a value on both sides".into(),
         "" => "something is missing at the end".into(),
-        _ if matches!(last_word(before), Some("rgb" | "rgbf" | "rgbt" | "rgbft" | "color" | "colour"))
-            && in_parentheses(before) =>
+        _ if matches!(word_at_end(before), Some("rgb" | "rgbf" | "rgbt" | "rgbft" | "color" | "colour"))
+            && ends_in_parentheses(before) =>
         {
             "in parentheses, a colour is written as a vector: `<1, 0, 0>`".into()
         }
@@ -175,7 +175,7 @@ pub fn token_at(text: &str, at: usize) -> &str {
     &rest[..end]
 }
 
-fn last_word(text: &str) -> Option<&str> {
+fn word_at_end(text: &str) -> Option<&str> {
     let word = text.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next()?;
     word.starts_with(|c: char| c.is_alphabetic() || c == '_').then_some(word)
 }
@@ -187,7 +187,7 @@ fn open_vector_start(text: &str, at: usize) -> Option<usize> {
         match c {
             '>' => depth += 1,
             // Inside parentheses it compares.
-            '<' if depth == 0 && follows_operand(text, i) && in_parentheses(&text[..i]) => {}
+            '<' if depth == 0 && follows_operand(text, i) && ends_in_parentheses(&text[..i]) => {}
             '<' if depth == 0 => return Some(i),
             '<' => depth -= 1,
             '{' | '}' | ';' | '#' | '"' => return None,
@@ -198,12 +198,12 @@ fn open_vector_start(text: &str, at: usize) -> Option<usize> {
 }
 
 /// True if the text ends inside `( … )` where `<` compares: a group, a condition or a function's arguments.
-fn in_parentheses(text: &str) -> bool {
+fn ends_in_parentheses(text: &str) -> bool {
     let mut depth = 0;
     for (i, c) in text.char_indices().rev() {
         match c {
             ')' => depth += 1,
-            '(' if depth == 0 => return last_word(text[..i].trim_end()).is_none_or(|w| word::lookup(w).is_some()),
+            '(' if depth == 0 => return word_at_end(text[..i].trim_end()).is_none_or(|w| word::lookup(w).is_some()),
             '(' => depth -= 1,
             '{' | '}' | ';' | '#' | '"' => return false,
             _ => {}

@@ -417,7 +417,7 @@ impl Lexer<'_> {
             self.push(class::END, 0, 0);
         }
         if self.loose_closers == 0 {
-            self.out.unclosed = self.brackets.unclosed_bracket_tokens().map(|token| token as u32).collect();
+            self.out.unclosed = self.brackets.bracket_tokens_outside_directives().map(|token| token as u32).collect();
         }
     }
 

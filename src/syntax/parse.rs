@@ -98,16 +98,16 @@ fn tokens_and_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<
 fn parse_piece(
     source: &Source,
     lexed: &Lexed,
-    range: Range<usize>,
+    token_range: Range<usize>,
     out: &mut Vec<Element>,
 ) -> Result<(), Box<Diagnostic>> {
     let &Source { text, base, .. } = source;
     // The classes are ASCII, so this check is quick.
-    let piece = std::str::from_utf8(&lexed.classes[range.clone()]).unwrap_or("");
+    let piece = std::str::from_utf8(&lexed.classes[token_range.clone()]).unwrap_or("");
     match SceneParser::parse(Rule::chunk, piece) {
         Ok(mut pairs) => {
             if let Some(chunk) = pairs.next() {
-                Builder::new(source, lexed, range.start).piece(chunk, out);
+                Builder::new(source, lexed, token_range.start).piece(chunk, out);
             }
             Ok(())
         }
@@ -116,7 +116,7 @@ fn parse_piece(
             let at = match error.location {
                 pest::error::InputLocation::Pos(at) | pest::error::InputLocation::Span((at, _)) => at,
             };
-            let token = lexed.tokens.get(range.start + at).or(lexed.tokens.last());
+            let token = lexed.tokens.get(token_range.start + at).or(lexed.tokens.last());
             let (lo, hi) = token.map_or((0, 0), |t| (t.start as usize, t.end as usize));
             let found = &text[lo..hi];
             Err(Box::new(Diagnostic::new(

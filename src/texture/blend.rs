@@ -89,7 +89,7 @@ where
             r.take_token()?;
             let number = match r.optional_float()? {
                 Some(number) => number,
-                None if average && !r.is_at_color()? => 1.0,
+                None if average && !r.may_be_at_color()? => 1.0,
                 None => return Err(r.unexpected("the entry's number").help(example_entry::<T>()).into()),
             };
             entries.push((number, T::read_entry(r, defaults)?));

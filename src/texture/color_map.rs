@@ -66,10 +66,10 @@ impl ColorMap {
             r.take_token()?;
             let from = r.float()?;
             match r.float_or_color()? {
-                FloatOrColor::Color(color) => entries.push((from, color.without_infinities())),
+                FloatOrColor::Color(color) => entries.push((from, color.with_infinities_as_zero())),
                 FloatOrColor::Float(to) => {
-                    entries.push((from, r.color()?.without_infinities()));
-                    entries.push((to, r.color()?.without_infinities()));
+                    entries.push((from, r.color()?.with_infinities_as_zero()));
+                    entries.push((to, r.color()?.with_infinities_as_zero()));
                 }
             }
             r.leave_block()?;

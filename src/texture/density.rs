@@ -94,7 +94,7 @@ impl Entry for Density {
     fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Density>()? {
             Some(density) => Some((*density).clone()),
-            None if r.is_at_color()? => Some(Self(Pigment::solid(r.color()?))),
+            None if r.may_be_at_color()? => Some(Self(Pigment::solid(r.color()?))),
             None => None,
         })
     }

@@ -149,12 +149,12 @@ impl Finish {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Finish) -> Result<Self> {
-        let mut f = base.without_albedo();
+        let mut f = base.with_albedo_folded_in();
         loop {
             match r.next()? {
                 Next::End => return Ok(f),
                 Next::Thing(_) => match r.thing::<Finish>()? {
-                    Some(declared) => f = declared.without_albedo(),
+                    Some(declared) => f = declared.with_albedo_folded_in(),
                     None => return Err(r.unknown_word_in(&FINISH)),
                 },
                 Next::Block("reflection") => {
@@ -180,7 +180,7 @@ impl Finish {
 
     /// Returns the finish without `albedo`: each lobe is divided by its integral over the hemisphere instead. A finish
     /// on top of another begins with these numbers (quirk: `albedo_stays`).
-    pub fn without_albedo(&self) -> Self {
+    pub fn with_albedo_folded_in(&self) -> Self {
         let scaled = |amount: f64, albedo: bool, factor: f64| if albedo { amount * factor } else { amount };
         let diffuse = |amount| scaled(amount, self.diffuse_albedo, (self.brilliance + 1.0) / 2.0);
         let n = 1.0 / self.roughness;
@@ -281,7 +281,7 @@ impl Reflection {
         let first = r.color()?.rgb;
         let mut out = Self { min: Rgb::ZERO, max: first, ..before.clone() };
         let mut said_fresnel = false;
-        let two = r.is_at_color()?;
+        let two = r.may_be_at_color()?;
         if two {
             (out.min, out.max) = (first, r.color()?.rgb);
         }

@@ -71,16 +71,16 @@ impl NormalProgram {
     /// any length. Each space transforms the normal by the transpose of its matrix, so that stretching flattens bumps
     /// (quirk: `normals_by_transpose`).
     pub fn perturb(&self, ctx: &TextureContext, n: DVec3) -> DVec3 {
-        self.perturb_keeping_length(ctx, n, !self.bump_scale)
+        self.perturb_keeping_length_if(ctx, n, !self.bump_scale)
     }
 
     /// True for `no_bump_scale`: the perturbed normal has a length of its own.
-    pub fn keeps_length(&self) -> bool {
+    pub fn keeps_perturbed_length(&self) -> bool {
         !self.bump_scale && !matches!(self.relief, ReliefProgram::Normals(_))
     }
 
     /// Perturbs a surface normal; `keep_length` is true if this normal or one around it has `no_bump_scale`.
-    fn perturb_keeping_length(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
+    fn perturb_keeping_length_if(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let space = &self.space;
         let inside = space.normal_to_pattern_space(n);
         let n = if keep_length { inside } else { inside.normalize_or(inside) };
@@ -117,7 +117,7 @@ impl NormalProgram {
                 return n;
             }
             let keep = keep_length || !entry.bump_scale;
-            let one = entry.perturb_keeping_length(&seen, n, keep);
+            let one = entry.perturb_keeping_length_if(&seen, n, keep);
             let one = if keep { one } else { one.normalize_or(one) };
             if seen.is_on_surface() && one.is_finite() {
                 seen.normal = one;

@@ -162,7 +162,7 @@ impl Pigment {
                 let at = r.take_token()?;
                 let map = ColorMap::read(r)?;
                 if let Some((_, color)) =
-                    map.entries.iter().max_by(|(_, a), (_, b)| brightness(a).total_cmp(&brightness(b)))
+                    map.entries.iter().max_by(|(_, a), (_, b)| max_channel(a).total_cmp(&max_channel(b)))
                 {
                     warn_of_byte_color(r, at, color);
                 }
@@ -190,10 +190,10 @@ impl Pigment {
                 self.paint = Paint::Pigments(Blend::Map(Arc::new(Map { entries })));
                 r.leave_block()
             }
-            Next::Word(_) if !r.is_at_color()? => Err(r.unknown_word("pigment", &words_of_pigment_block()).into()),
+            Next::Word(_) if !r.may_be_at_color()? => Err(r.unknown_word("pigment", &words_of_pigment_block()).into()),
             Next::Word(_) | Next::Value => {
                 let at = r.span();
-                let color = r.color()?.without_infinities();
+                let color = r.color()?.with_infinities_as_zero();
                 warn_of_byte_color(r, at, &color);
                 self.paint = Paint::Solid(color);
                 self.forget_pattern();
@@ -226,15 +226,15 @@ impl Pigment {
     }
 
     /// Returns the pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
-    pub fn at_low_quality(&self) -> Option<Pigment> {
+    pub fn low_quality_replacement(&self) -> Option<Pigment> {
         if let Some(color) = &self.quick_color {
             return Some(Self::solid(**color));
         }
         let Paint::Pigments(parts) = &self.paint else { return None };
-        if !parts.iter().any(|part| part.at_low_quality().is_some()) {
+        if !parts.iter().any(|part| part.low_quality_replacement().is_some()) {
             return None;
         }
-        let parts = parts.map(|part| part.at_low_quality().unwrap_or_else(|| part.clone()));
+        let parts = parts.map(|part| part.low_quality_replacement().unwrap_or_else(|| part.clone()));
         Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
     }
 
@@ -289,7 +289,7 @@ impl Pigment {
 }
 
 /// Returns the largest of a colour's red, green and blue.
-fn brightness(color: &Color) -> f64 {
+fn max_channel(color: &Color) -> f64 {
     color.rgb.max_element()
 }
 
@@ -320,7 +320,7 @@ impl Entry for Pigment {
     fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),
-            None if r.is_at_color()? => Some(Self::solid(r.color()?)),
+            None if r.may_be_at_color()? => Some(Self::solid(r.color()?)),
             None => None,
         })
     }

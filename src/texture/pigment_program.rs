@@ -56,10 +56,10 @@ impl PigmentProgram {
 
     /// True if a node of the lowered pigment has no colour at the point. (False for an average and for a pigment with a
     /// `uv_mapping` of its own; quirk: `pictures_once`.)
-    fn node_has_no_color(&self, i: usize, ctx: &TextureContext, framed: bool) -> bool {
+    fn node_has_no_color(&self, i: usize, ctx: &TextureContext, uv_mapped_by_texture: bool) -> bool {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
-            _ if pattern.is_average() || (pattern.uses_uv() && !framed) => false,
+            _ if pattern.is_average() || (pattern.uses_uv() && !uv_mapped_by_texture) => false,
             Shows::Solid(_) | Shows::Colors(_) => false,
             Shows::Image(image) => !image.covers_point(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {

@@ -179,7 +179,7 @@ impl Tracer<'_> {
     /// point to the lights.
     fn is_piece_unoccluded(&mut self, grid: &GridVisibility, piece: LightGridPiece) -> bool {
         let world = self.context.world;
-        let hull = grid.area.hull(piece.low, piece.high, -grid.center.from);
+        let hull = grid.area.offset_parallelogram(piece.low, piece.high, -grid.center.from);
         let corners = hull.map(|offset| grid.light.emitter.location + offset);
         let casts_shadow = |id: u32| world.objects[id as usize].shadow;
         let last = &mut self.shaft_occluders[grid.light.number];
@@ -201,13 +201,13 @@ impl Tracer<'_> {
         }
     }
 
-    /// Returns the mean visibility of a piece of the grid after `level` halvings.
-    fn piece_visibility(&mut self, grid: &mut GridVisibility, piece: LightGridPiece, level: u32) -> Rgb {
+    /// Returns the mean visibility of a piece of the grid after `halvings_done` halvings.
+    fn piece_visibility(&mut self, grid: &mut GridVisibility, piece: LightGridPiece, halvings_done: u32) -> Rgb {
         let LightGridPiece { low, high } = piece;
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell_visibility(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
         let is_settled =
-            grid.settle_level.is_some_and(|least| level >= least) && is_uniform(&corners, grid.center.light);
+            grid.settle_level.is_some_and(|least| halvings_done >= least) && is_uniform(&corners, grid.center.light);
         if is_single || is_settled || self.is_stopped_at_next_surface() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
@@ -225,8 +225,11 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for (bottom, top) in halves(1) {
             for (left, right) in halves(0) {
-                sum +=
-                    self.piece_visibility(grid, LightGridPiece { low: [left, bottom], high: [right, top] }, level + 1);
+                sum += self.piece_visibility(
+                    grid,
+                    LightGridPiece { low: [left, bottom], high: [right, top] },
+                    halvings_done + 1,
+                );
             }
         }
         sum * 0.25

@@ -47,7 +47,7 @@ struct Source<'a> {
 impl<'w> Tracer<'w> {
     /// Returns the radiance that a surface sends along the ray by its own emission and by diffuse and specular
     /// reflection of light sources, without `reflection` and transmission.
-    pub(super) fn direct_light(&mut self, state: &RayState, shading: &ShadingPoint<'w>) -> Rgb {
+    pub(super) fn emitted_and_direct_light(&mut self, state: &RayState, shading: &ShadingPoint<'w>) -> Rgb {
         if !self.context.quality.lights {
             return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
         }
@@ -85,7 +85,7 @@ impl<'w> Tracer<'w> {
         if visibility == Rgb::ZERO {
             return Rgb::ZERO;
         }
-        let [columns, rows] = area.size.map(sampled_lights);
+        let [columns, rows] = area.size.map(indices_of_sampled_lights);
         let mut sum = Rgb::ZERO;
         let random = self.random.sequence(Purpose::AreaLight);
         let sides = area.sides(-center.from);
@@ -149,10 +149,11 @@ const SAMPLES_OF_LONG_SIDE: u32 = 128;
 
 /// Returns the indices of those lights along one side of an `area_illumination` grid that illuminate: all of a short
 /// side, evenly spaced ones of a long side.
-fn sampled_lights(side: u32) -> impl ExactSizeIterator<Item = u32> + Clone {
-    let n_samples = if side > MAX_SIDE { SAMPLES_OF_LONG_SIDE } else { side };
+fn indices_of_sampled_lights(lights_on_side: u32) -> impl ExactSizeIterator<Item = u32> + Clone {
+    let n_samples = if lights_on_side > MAX_SIDE { SAMPLES_OF_LONG_SIDE } else { lights_on_side };
     // The middle of each of `n_samples` equal parts
-    (0..n_samples).map(move |i| ((2 * u64::from(i) + 1) * u64::from(side) / (2 * u64::from(n_samples))) as u32)
+    (0..n_samples)
+        .map(move |i| ((2 * u64::from(i) + 1) * u64::from(lights_on_side) / (2 * u64::from(n_samples))) as u32)
 }
 
 /// True if any layer reflects light from a direction.

@@ -61,7 +61,7 @@ struct PointSample {
 }
 
 impl PointSample {
-    fn sum(parts: &[(f64, Self)]) -> Self {
+    fn weighted_sum(parts: &[(f64, Self)]) -> Self {
         let light = parts.iter().map(|(weight, part)| *weight * part.light).sum();
         let extinction = parts.iter().map(|(weight, part)| *weight * part.extinction).sum();
         Self { light, extinction }
@@ -226,7 +226,7 @@ impl<'w> Tracer<'w> {
             }
             let share = match sampling.method {
                 SamplingMethod::Even if i < least => {
-                    (f64::from(i) + 0.5 + draws.jittered(sampling.jitter, i)) / f64::from(least)
+                    (f64::from(i) + 0.5 + draws.jitter_offset(sampling.jitter, i)) / f64::from(least)
                 }
                 _ => draws.centered(i) + 0.5,
             };
@@ -243,7 +243,7 @@ impl<'w> Tracer<'w> {
         let ([from, to], draws) = (interval.range, interval.draws);
         let n = unrefined_sample_count(sampling);
         let step = (to - from) / f64::from(n);
-        let at = |i: u32| from + step * (f64::from(i) + draws.jittered(sampling.jitter, i));
+        let at = |i: u32| from + step * (f64::from(i) + draws.jitter_offset(sampling.jitter, i));
         let halving = Halving {
             max_level: sampling.aa_level.min(MAX_LEVEL),
             max_difference: sampling.aa_threshold / (to - from),
@@ -268,19 +268,19 @@ impl<'w> Tracer<'w> {
         halving: &Halving,
         start: &(f64, PointSample),
         end: &(f64, PointSample),
-        level: u32,
+        halvings_done: u32,
     ) -> PointSample {
         let at = 0.5 * (start.0 + end.0);
         let middle = (at, self.point_sample(interval, at));
-        let is_last = level >= halving.max_level || self.is_stopped();
+        let is_last = halvings_done >= halving.max_level || self.is_stopped();
         let mut half = |outer: &(f64, PointSample)| {
             if is_last || outer.1.difference(&middle.1) <= halving.max_difference {
-                return PointSample::sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
+                return PointSample::weighted_sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
             }
-            self.mean_between(interval, halving, outer, &middle, level + 1)
+            self.mean_between(interval, halving, outer, &middle, halvings_done + 1)
         };
         let (first, second) = (half(start), half(end));
-        PointSample::sum(&[(0.5, first), (0.5, second)])
+        PointSample::weighted_sum(&[(0.5, first), (0.5, second)])
     }
 
     /// Returns the properties of all media at a distance along the ray.
@@ -356,7 +356,7 @@ impl Draws {
     }
 
     /// Returns the offset of a sample by `jitter`, relative to the distance of samples.
-    fn jittered(self, jitter: f64, sample: u32) -> f64 {
+    fn jitter_offset(self, jitter: f64, sample: u32) -> f64 {
         if jitter == 0.0 { 0.0 } else { jitter * self.centered(sample) }
     }
 }
@@ -372,13 +372,13 @@ struct RunningMean {
 impl RunningMean {
     fn add(&mut self, sample: &PointSample) {
         self.count += 1.0;
-        self.sum = PointSample::sum(&[(1.0, self.sum), (1.0, *sample)]);
+        self.sum = PointSample::weighted_sum(&[(1.0, self.sum), (1.0, *sample)]);
         self.squares += sample.light * sample.light;
     }
 
     fn value(&self) -> PointSample {
         let weight = 1.0 / self.count.max(1.0);
-        PointSample::sum(&[(weight, self.sum)])
+        PointSample::weighted_sum(&[(weight, self.sum)])
     }
 
     /// Returns the largest variance of the mean light of all channels.

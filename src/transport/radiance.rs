@@ -102,7 +102,7 @@ impl<'w> Tracer<'w> {
         let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
         if state.bounces > 0 || !is_collecting {
-            sum.rgb += state.throughput * self.direct_light(state, &shading);
+            sum.rgb += state.throughput * self.emitted_and_direct_light(state, &shading);
         }
         if self.context.radiosity.is_some() {
             sum.rgb += state.throughput * self.indirect_light(state, &shading);

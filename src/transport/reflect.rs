@@ -123,7 +123,7 @@ fn bounce(reflection: &Reflection, shaded: &ShadedLayer, context: MirrorContext)
 }
 
 /// Returns the share of light that a layer with `conserve_energy` does not reflect; 1 for other layers.
-pub(super) fn unreflected_share(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
+pub(super) fn unreflected_share_if_conserving(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
     match shaded.layer.finish.mirror.as_deref().filter(|_| shaded.layer.finish.conserve_energy) {
         Some(mirror) => Rgb::ONE - reflectance(mirror, shaded, interface),
         None => Rgb::ONE,

@@ -112,7 +112,7 @@ impl<'w> Tracer<'w> {
         let length = span.to - span.from;
         let mut air = Segment::NONE;
         if !world.fogs.is_empty() {
-            air = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
+            air = atmosphere::combine_fogs_adding_radiance(&world.fogs, &start, length, world.noise);
         }
         if !world.air.is_empty() && length > 0.0 {
             let media: SmallVec<[&Medium; 4]> = world.air.iter().collect();
@@ -120,7 +120,7 @@ impl<'w> Tracer<'w> {
         }
         if !world.rainbows.is_empty() {
             let random = &mut self.random;
-            air = air.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
+            air = air.in_front_of(atmosphere::average_rainbows(&world.rainbows, &start, length, &mut || {
                 random.next(Purpose::Rainbow)
             }));
         }

@@ -3,7 +3,7 @@
 use super::context::Quality;
 use super::direct_light::LitSurface;
 use super::interface::Interface;
-use super::reflect::unreflected_share;
+use super::reflect::unreflected_share_if_conserving;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray, cancel};
 use crate::pattern::{Space, TextureContext};
@@ -224,7 +224,7 @@ impl<'w> Painter<'w, '_> {
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
             if layer.finish.conserve_energy && !layer.has_no_color(&seen_from(), use_quick_color) {
-                transmittance *= unreflected_share(&shaded, self.interface);
+                transmittance *= unreflected_share_if_conserving(&shaded, self.interface);
             }
             self.layers.push(shaded);
             // quirk: layers_below_adc_bailout
@@ -268,7 +268,7 @@ impl Bumped {
         let outer = frame.map_or(inner, |frame| frame.normal_from_innermost(inner));
         let lit = place.map_or(outer, |m| m.transform_normal(outer));
         let seen = if within { inner } else { lit };
-        let seen = if bumps.keeps_length() { seen } else { seen.normalize_or(seen) };
+        let seen = if bumps.keeps_perturbed_length() { seen } else { seen.normalize_or(seen) };
         match seen.is_finite() {
             true => Self { lit: lit.normalize_or(normal), seen, weight: Rgb::ONE },
             false => Self { lit: normal, seen: normal, weight: Rgb::NAN },

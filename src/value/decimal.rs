@@ -1,8 +1,8 @@
 //! Formatting of numbers without superfluous digits.
 
-/// Formats a number with at most `digits` decimals, without trailing zeros and without the sign of a zero.
-pub fn format_decimal(x: f64, digits: usize) -> String {
-    let text = format!("{x:.digits$}");
+/// Formats a number with at most `max_decimals` decimals, without trailing zeros and without the sign of a zero.
+pub fn format_decimal(x: f64, max_decimals: usize) -> String {
+    let text = format!("{x:.max_decimals$}");
     match trim_zeros(&text) {
         "-0" => "0".into(),
         short => short.into(),

@@ -41,15 +41,15 @@ pub fn in_range(word: &str, range: RangeInclusive<f64>, r: &mut dyn Reader) -> R
 ///
 /// # Errors
 /// E0209 at the number if it is not.
-pub fn whole(word: &str, most: u32, r: &mut dyn Reader) -> Result<u32> {
+pub fn whole_from_one(word: &str, most: u32, r: &mut dyn Reader) -> Result<u32> {
     let is_valid = |value: f64| (1.0..f64::from(most) + 1.0).contains(&value);
     checked(word, &format!("a whole number from 1 to {most}"), is_valid, r).map(|value| value as u32)
 }
 
-fn checked(word: &str, range: &str, is_valid: impl Fn(f64) -> bool, r: &mut dyn Reader) -> Result<f64> {
+fn checked(word: &str, range_text: &str, is_valid: impl Fn(f64) -> bool, r: &mut dyn Reader) -> Result<f64> {
     let (at, value) = (r.span(), r.float()?);
     if is_valid(value) {
         return Ok(value);
     }
-    Diagnostic::err(codes::BAD_ARGUMENT, at, format!("`{word}` has to be {range}, found {value}"))
+    Diagnostic::err(codes::BAD_ARGUMENT, at, format!("`{word}` has to be {range_text}, found {value}"))
 }

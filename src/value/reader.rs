@@ -126,7 +126,7 @@ pub trait Reader {
     /// Reads a vector of two components; a number fills both.
     fn vector2(&mut self) -> Result<DVec2>;
     /// Reads exactly `n` numbers in `< >`; more than five only as a literal, as in `matrix`.
-    fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
+    fn numbers_in_angle_brackets(&mut self, n: usize) -> Result<Vec<f64>>;
     /// Consumes up to `most` items of the scene's literal list, while each is a vector of `width` components that
     /// `take` accepts; returns the number consumed. The result can be 0 although vectors come next: the other methods
     /// read the first and last item of a list, and anything that is not a literal.
@@ -142,7 +142,7 @@ pub trait Reader {
     /// Reads a number or a colour.
     fn float_or_color(&mut self) -> Result<FloatOrColor>;
     /// True if a colour can come next: one of its words, or an expression.
-    fn is_at_color(&mut self) -> Result<bool>;
+    fn may_be_at_color(&mut self) -> Result<bool>;
     /// Reads one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform, if one comes next.
     ///
     /// Boxed, because a transform is large and mostly passed on.

@@ -102,7 +102,7 @@ impl Extend<SolidNode> for GeometryBuilder {
 impl From<GeometryBuilder> for Geometry {
     fn from(GeometryBuilder { finite: mut items, infinite }: GeometryBuilder) -> Self {
         let (bvh, order) = Bvh::build(items.iter().map(Item::bounds));
-        put_in_order(&mut items, order);
+        permute_by_source_indices(&mut items, order);
         let finite = items.len();
         let unbounded = (0..finite as u32).filter(|&i| items[i as usize].is_unbounded()).collect();
         items.extend(infinite.into_iter().map(Item::Solid));
@@ -426,13 +426,13 @@ fn first_leaf(node: &SolidNode) -> Option<&Leaf> {
     }
 }
 
-/// Permutes the items in place: position `i` receives item `order[i]`.
-fn put_in_order<T>(items: &mut [T], mut order: Vec<u32>) {
+/// Permutes the items in place: position `i` receives item `source_indices[i]`.
+fn permute_by_source_indices<T>(items: &mut [T], mut source_indices: Vec<u32>) {
     for start in 0..items.len() {
         // Follow the cycle of the permutation that starts here; finished positions hold their own number.
         let mut place = start;
         loop {
-            let from = std::mem::replace(&mut order[place], place as u32) as usize;
+            let from = std::mem::replace(&mut source_indices[place], place as u32) as usize;
             if from == start {
                 break;
             }

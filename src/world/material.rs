@@ -203,7 +203,7 @@ impl Layer {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
             normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.lower_normal(normal)),
             pigment: LayerColor::new(pigment),
-            quick: pigment.at_low_quality().map(|quick| Box::new(LayerColor::new(&quick))),
+            quick: pigment.low_quality_replacement().map(|quick| Box::new(LayerColor::new(&quick))),
             finish: shared.lower_finish(finish),
         }
     }
@@ -273,7 +273,7 @@ impl LoweredFinish {
     /// scene with subsurface light transport.
     pub fn new(f: &Finish, ambient_light: Rgb, mm_per_unit: Option<f64>) -> Self {
         // Negative strengths count as 0 (quirk: `negative_highlights`).
-        let plain = f.without_albedo();
+        let plain = f.with_albedo_folded_in();
         let [diffuse, diffuse_back, phong, specular] =
             [plain.diffuse, plain.diffuse_back, plain.phong, plain.specular].map(|amount| amount.max(0.0));
         Self {

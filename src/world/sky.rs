@@ -41,7 +41,7 @@ impl Sky {
         let SkySphere { pigments, emission, transform } = scene.sky_sphere.as_ref().unwrap_or(&none);
         let layers = pigments.iter().map(|pigment| SkyLayer {
             color: LayerColor::new(pigment),
-            quick: pigment.at_low_quality().map(|quick| LayerColor::new(&quick)),
+            quick: pigment.low_quality_replacement().map(|quick| LayerColor::new(&quick)),
         });
         let by_share = scene.settings.sky_by_share;
         Self { background, layers: layers.collect(), emission: *emission, place: *transform, by_share }

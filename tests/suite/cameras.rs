@@ -15,7 +15,7 @@ fn view(kind: Kind, angle: Option<f64>) -> View {
 
 /// The ray through a position in the picture, from (0, 0) at the lower left to (1, 1).
 fn at(view: &View, x: f64, y: f64) -> Option<Ray> {
-    view.ray(x * SIZE.0 as f64, (1.0 - y) * SIZE.1 as f64)
+    view.ray_at_pixel_position(x * SIZE.0 as f64, (1.0 - y) * SIZE.1 as f64)
 }
 
 #[track_caller]

@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 
 /// Returns the ray of a fisheye camera; `None` outside its disc. `angle` is the angle of view of the whole disc, in
 /// radians.
-pub(super) fn fisheye_ray(position: DVec2, window_lengths: DVec3, angle: f64) -> Option<LocalRay> {
-    let p = position * window_lengths.truncate() * 2.0;
+pub(super) fn fisheye_ray(fraction_from_center: DVec2, window_lengths: DVec3, angle: f64) -> Option<LocalRay> {
+    let p = fraction_from_center * window_lengths.truncate() * 2.0;
     let r = p.length();
     if r > 1.0 {
         return None;

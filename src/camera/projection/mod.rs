@@ -56,7 +56,7 @@ impl Projection {
     /// direction.
     pub(super) fn ray_and_bump_position(
         &self,
-        position: DVec2,
+        fraction_from_center: DVec2,
         origin: DVec3,
         axes: [DVec3; 3],
         window_lengths: DVec3,
@@ -64,16 +64,18 @@ impl Projection {
         let local = match self {
             // These have a window or faces.
             Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
-            Projection::Orthographic => orthographic::orthographic_ray(position, window_lengths),
-            Projection::Fisheye(angle) => fisheye::fisheye_ray(position, window_lengths, *angle)?,
+            Projection::Orthographic => orthographic::orthographic_ray(fraction_from_center, window_lengths),
+            Projection::Fisheye(angle) => fisheye::fisheye_ray(fraction_from_center, window_lengths, *angle)?,
             Projection::UltraWideAngle(angle) => {
-                ultra_wide_angle::ultra_wide_angle_ray(position, window_lengths, *angle)
+                ultra_wide_angle::ultra_wide_angle_ray(fraction_from_center, window_lengths, *angle)
             }
-            Projection::Omnimax => omnimax::omnimax_ray(position, window_lengths)?,
-            Projection::Panoramic => panoramic::panoramic_ray(position, window_lengths),
-            Projection::Cylinder(kind, angle) => cylinder::cylindrical_ray(*kind, position, window_lengths, *angle),
+            Projection::Omnimax => omnimax::omnimax_ray(fraction_from_center, window_lengths)?,
+            Projection::Panoramic => panoramic::panoramic_ray(fraction_from_center, window_lengths),
+            Projection::Cylinder(kind, angle) => {
+                cylinder::cylindrical_ray(*kind, fraction_from_center, window_lengths, *angle)
+            }
             Projection::Spherical(angles) => {
-                let (dir, bump_position) = spherical::direction_and_bump_position(position, *angles, axes);
+                let (dir, bump_position) = spherical::direction_and_bump_position(fraction_from_center, *angles, axes);
                 return Some((Ray::new(origin, dir.try_normalize()?), bump_position));
             }
         };

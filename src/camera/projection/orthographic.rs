@@ -5,6 +5,10 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// Returns the ray of an orthographic camera.
-pub(super) fn orthographic_ray(position: DVec2, window_lengths: DVec3) -> LocalRay {
-    LocalRay { origin: position * window_lengths.truncate(), dir: DVec3::Z, bump_position: position }
+pub(super) fn orthographic_ray(fraction_from_center: DVec2, window_lengths: DVec3) -> LocalRay {
+    LocalRay {
+        origin: fraction_from_center * window_lengths.truncate(),
+        dir: DVec3::Z,
+        bump_position: fraction_from_center,
+    }
 }

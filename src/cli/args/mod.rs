@@ -192,7 +192,7 @@ pub struct RenderArgs {
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Picture format [default: by the ending of the output; png for standard output]
-    #[arg(help_heading = PICTURE, long, value_name = "FORMAT", value_parser = format_parser())]
+    #[arg(help_heading = PICTURE, long, value_name = "FORMAT", value_parser = picture_format_parser())]
     pub format: Option<String>,
     /// Bits per channel [default: 8; 32 for exr]
     #[arg(help_heading = PICTURE, long, value_name = "8|16|32", value_parser = clap::builder::PossibleValuesParser::new(["8", "16", "32"]))]
@@ -256,7 +256,7 @@ pub struct RenderArgs {
     pub deps: Option<PathBuf>,
 }
 
-fn format_parser() -> clap::builder::PossibleValuesParser {
+fn picture_format_parser() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(Format::names())
 }
 

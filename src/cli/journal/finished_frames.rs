@@ -50,14 +50,14 @@ impl FinishedFrames {
     }
 
     /// True if this frame was finished by the same program with the same options from the same files, and its picture
-    /// is unchanged. `known` has the hashes of files that this process will not read again.
-    pub fn is_current(&self, frame: u32, picture: &Path, options: &str, known: &ReadFiles) -> bool {
+    /// is unchanged. `known_hashes` has the hashes of files that this process will not read again.
+    pub fn is_current(&self, frame: u32, picture: &Path, options: &str, known_hashes: &ReadFiles) -> bool {
         let hash = || std::fs::read(picture).ok().map(|bytes| ContentHash::of(&bytes));
         self.old.iter().any(|entry| {
             entry.frame == frame
                 && entry.picture == picture
                 && hash() == Some(entry.hash)
-                && entry.begun.is_current(options, known)
+                && entry.begun.is_current(options, known_hashes)
         })
     }
 

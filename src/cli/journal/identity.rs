@@ -53,12 +53,12 @@ impl Begun {
         serde_json::from_slice(text).map_err(damaged)
     }
 
-    /// True if this program would do the same work now: with these options, and from files that did not change. `known`
+    /// True if this program would do the same work now: with these options, and from files that did not change. `known_hashes`
     /// has the hashes of files that this process will not read again.
-    pub fn is_current(&self, options: &str, known: &ReadFiles) -> bool {
+    pub fn is_current(&self, options: &str, known_hashes: &ReadFiles) -> bool {
         let hash = |path: &Path| {
             let on_disk = || Disk.read(path).ok().map(|bytes| ContentHash::of(&bytes));
-            known.get(path).copied().or_else(on_disk)
+            known_hashes.get(path).copied().or_else(on_disk)
         };
         let is_same = |(path, lookups): (_, &Vec<Lookup>)| lookups.iter().all(|lookup| lookup.is_current(&Disk, path));
         self.program == program_identity()
@@ -129,7 +129,7 @@ static EXECUTABLE: LazyLock<Option<File>> = LazyLock::new(|| {
 });
 
 /// Lists all options that change a pixel, and the moment of the animation.
-pub fn options(reading: &interpreter::Options, drawing: &render::Options) -> String {
+pub fn picture_options_text(reading: &interpreter::Options, drawing: &render::Options) -> String {
     let drawing = render::Options { threads: 0, ..drawing.clone() };
     let interpreter::Options { timing, header, declares, version, search, input_name, sandbox, .. } = reading;
     let read = &sandbox.read;

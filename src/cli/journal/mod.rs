@@ -314,7 +314,7 @@ impl Journal {
     }
 
     /// Deletes the journal's file if it is empty, before the process ends.
-    pub fn remove_empty(&self) {
+    pub fn remove_if_empty(&self) {
         let state = self.state();
         if state.file.file().metadata().is_ok_and(|metadata| metadata.len() == 0) {
             state.file.delete();
@@ -356,7 +356,7 @@ impl State {
         let is_first = self.write_header_if_new()?;
         let Some(key) = &self.key else { return Ok(()) };
         let offset = self.end + self.pending.len() as u64;
-        key.append(&mut self.pending, offset, tile, pixels);
+        key.append_tile(&mut self.pending, offset, tile, pixels);
         if is_first || self.pending.len() >= CHUNK || self.is_sync_due(SYNC_INTERVAL) {
             self.write_pending()
         } else {

@@ -72,21 +72,21 @@ impl Key {
     }
 
     /// Appends the record of a tile, which will be at `offset` in the file.
-    pub fn append(&self, out: &mut Vec<u8>, offset: u64, tile: Tile, pixels: &[[f32; 4]]) {
+    pub fn append_tile(&self, out: &mut Vec<u8>, offset: u64, tile: Tile, pixels: &[[f32; 4]]) {
         let Region { x, y, width, height } = tile.area;
         self.append_record(out, offset, tile.pass, [x, y, width, height].map(|n| n as u64), |out| {
             pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
         });
     }
 
-    /// Appends the record of a part of a file of light, which will be at `offset` in the file. The part begins at `start` in
+    /// Appends the record of a part of a file of light, which will be at `offset` in the file. The part begins at `offset_in_light` in
     /// the file of light, and has at most [`MAX_PART`] bytes.
-    pub fn append_light(&self, out: &mut Vec<u8>, offset: u64, kind: LightKind, start: u64, part: &[u8]) {
+    pub fn append_light(&self, out: &mut Vec<u8>, offset: u64, kind: LightKind, offset_in_light: u64, part: &[u8]) {
         let first = match kind {
             LightKind::Photons => PHOTONS,
             LightKind::Radiosity => RADIOSITY,
         };
-        self.append_record(out, offset, first, [start, part.len() as u64, 0, 0], |out| out.extend(part));
+        self.append_record(out, offset, first, [offset_in_light, part.len() as u64, 0, 0], |out| out.extend(part));
     }
 
     /// Appends a record with this head, whose content `append_content` appends.
@@ -112,12 +112,12 @@ impl Key {
     /// If the record is damaged or from another journal, or cannot be read.
     pub fn read(&self, from: &mut impl Read, offset: u64) -> Result<Option<Record>, String> {
         let mut bytes = vec![0; HEAD];
-        if !try_fill(from, &mut bytes)? {
+        if !fill_unless_file_ends(from, &mut bytes)? {
             return Ok(None);
         }
         let (content, n_bytes) = parse_content_and_length(&bytes).ok_or_else(damaged_reason)?;
         bytes.resize(HEAD + n_bytes + SUM, 0);
-        if !try_fill(from, &mut bytes[HEAD..])? {
+        if !fill_unless_file_ends(from, &mut bytes[HEAD..])? {
             return Ok(None);
         }
         let (summed, sum) = bytes.split_at(bytes.len() - SUM);
@@ -157,7 +157,7 @@ pub fn unreadable_reason(error: &io::Error) -> String {
 }
 
 /// Fills `bytes`; false if the file ends before.
-fn try_fill(from: &mut impl Read, bytes: &mut [u8]) -> Result<bool, String> {
+fn fill_unless_file_ends(from: &mut impl Read, bytes: &mut [u8]) -> Result<bool, String> {
     match from.read_exact(bytes) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => Ok(false),
@@ -166,9 +166,9 @@ fn try_fill(from: &mut impl Read, bytes: &mut [u8]) -> Result<bool, String> {
 }
 
 /// True if the last bytes of a file are zero. After a power loss, a file may have its length but not all of its bytes;
-/// the missing bytes are then zero, up to the end. `last` are the last bytes that were read.
-fn ends_with_zeros(from: &mut impl Read, last: &[u8]) -> Result<bool, String> {
-    let mut tail = last.to_vec();
+/// the missing bytes are then zero, up to the end. `bytes_already_read` are the last bytes that were read.
+fn ends_with_zeros(from: &mut impl Read, bytes_already_read: &[u8]) -> Result<bool, String> {
+    let mut tail = bytes_already_read.to_vec();
     let mut chunk = vec![0; 1 << 16];
     loop {
         match from.read(&mut chunk).map_err(|error| unreadable_reason(&error))? {

@@ -25,7 +25,7 @@ pub(super) fn functions_page() -> String {
         };
         [in_backticks(&format!("{}({usage})", row.name)), row.summary.to_string()]
     });
-    let others = interpreter::functions()
+    let others = interpreter::script_only_functions()
         .map(|(name, usage, summary)| [in_backticks(&format!("{name}{usage}")), summary.into()]);
     let head = ["function", "gives"];
     format!(

@@ -63,7 +63,7 @@ fn add_block_words(index: &mut Index) {
 fn add_value_words(index: &mut Index) {
     add_words(index, interpreter::COLOR_WORDS, "[colours](colors.md)");
     let numeric = function::numeric::TABLE.iter().map(|row| row.name);
-    for name in numeric.chain(interpreter::functions().map(|(name, ..)| name)) {
+    for name in numeric.chain(interpreter::script_only_functions().map(|(name, ..)| name)) {
         add(index, name, "[functions](functions.md)");
     }
     CONSTANTS.iter().for_each(|(name, _)| add(index, name, "[constants](constants.md)"));

@@ -123,7 +123,7 @@ fn exists_with_pov_extension(path: &Path) -> bool {
 }
 
 /// Returns `input.pov` if `input` does not exist and `input.pov` is a file; else `input`, as POV-Ray does.
-pub fn find_scene_file(input: String) -> String {
+pub fn input_or_pov_file(input: String) -> String {
     let path = Path::new(&input);
     if !path.exists() && exists_with_pov_extension(path) { format!("{input}.pov") } else { input }
 }

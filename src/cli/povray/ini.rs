@@ -34,9 +34,9 @@ pub struct Ini {
     pub faults: Vec<Diagnostic>,
 }
 
-/// Parses an INI file at the global offset `base`: the part before the first label, and the part `section`.
-pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
-    let mut reader = Reader { text, base, out: Ini::default() };
+/// Parses an INI file at the global byte offset `global_offset`: the part before the first label, and the part `section`.
+pub fn parse(text: &str, global_offset: usize, section: Option<&str>) -> Ini {
+    let mut reader = Reader { text, base: global_offset, out: Ini::default() };
     let mut wanted = true;
     let mut labels = Vec::new();
     let mut found = false;
@@ -63,7 +63,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
         let list: Vec<_> = labels.iter().map(|label| format!("`[{label}]`")).collect();
         let all = (!list.is_empty()).then(|| format!("the file has {}", list.join(", ")));
         let help = did_you_mean(section.trim(), labels.iter().copied()).or(all);
-        let start = Span::new(base, base);
+        let start = Span::new(global_offset, global_offset);
         reader.out.faults.push(Diagnostic::new(codes::INI_SECTION, start, message).maybe_help(help));
     }
     reader.out

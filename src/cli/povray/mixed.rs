@@ -20,7 +20,7 @@ pub enum Form {
 
 /// Determines the form of a command line.
 pub fn command_line_form(words: &[OsString]) -> Form {
-    let Some((at, first)) = first_word_and_index(words) else { return Form::Durer };
+    let Some((at, first)) = first_index_and_word(words) else { return Form::Durer };
     let command = commands();
     // `-V` before other words is POV-Ray's.
     if ["--help", "-h", "--version", "help"].contains(&&*first) || first == "-V" && words.len() == at + 1 {
@@ -37,7 +37,7 @@ pub fn command_line_form(words: &[OsString]) -> Form {
 }
 
 /// Returns the first word after the options that all commands have, and its index.
-pub fn first_word_and_index(words: &[OsString]) -> Option<(usize, String)> {
+pub fn first_index_and_word(words: &[OsString]) -> Option<(usize, String)> {
     let mut at = 1;
     loop {
         let word = words.get(at)?.to_string_lossy().into_owned();

@@ -23,8 +23,8 @@ use crate::diagnostic::{Diagnostic, codes, nearest};
 use crate::source::{Sources, Span};
 use created_ini::NamedSettings;
 pub use files::is_ini;
-use files::{Files, find_scene_file};
-pub use mixed::first_word_and_index;
+use files::{Files, input_or_pov_file};
+pub use mixed::first_index_and_word;
 use own::DurerOption;
 use settings::Settings;
 use std::ffi::OsString;
@@ -218,7 +218,7 @@ impl<'s> Translation<'s> {
             self.ini(text, origin);
             Ok(())
         } else if origin.word.is_none() {
-            self.scenes.push(find_scene_file(self.files.scene_path(text)).into());
+            self.scenes.push(input_or_pov_file(self.files.scene_path(text)).into());
             Ok(())
         } else {
             self.set_input(text, origin)
@@ -239,7 +239,7 @@ impl<'s> Translation<'s> {
     fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
         let scene = self.files.scene_path(name);
         self.files
-            .check_ini_may_name(Path::new(&find_scene_file(scene.clone())), origin.value)
+            .check_ini_may_name(Path::new(&input_or_pov_file(scene.clone())), origin.value)
             .map_err(|fault| *fault)?;
         let is_as_named = scene == name && !self.files.is_untrusted();
         self.settings.scene_folder = Path::new(name).parent().filter(|_| is_as_named).unwrap_or(Path::new("")).into();
@@ -283,7 +283,7 @@ impl<'s> Translation<'s> {
                 self.add_text_file(stream, name, origin)
             }
             Effect::Silence(stream) => {
-                self.silence(stream, origin);
+                self.record_silenced_stream(stream, origin);
                 self.add_text_file(stream, value, origin)
             }
             Effect::Flag(flag) => {
@@ -354,7 +354,7 @@ impl<'s> Translation<'s> {
         let mut words = vec![program, command.into()];
         words.extend(options);
         let animation = self.settings.animation();
-        let input = self.settings.input.map(|input| find_scene_file(input).into());
+        let input = self.settings.input.map(|input| input_or_pov_file(input).into());
         let skipped = if self.any_switch { self.scenes.len().saturating_sub(1) } else { 0 };
         let scenes: Vec<_> = match self.scenes.is_empty() {
             true => input.into_iter().collect(),
@@ -376,7 +376,7 @@ impl<'s> Translation<'s> {
         // Without a picture file, `+FN` and its kin have no effect.
         let is_idle =
             |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth", "--gray"].contains(&name);
-        let parts = self.settings.options(plain).into_iter().map(DurerOption::new);
+        let parts = self.settings.durer_options(plain).into_iter().map(DurerOption::new);
         // An option of durer's own overrides the default that anti-aliasing is off.
         let parts = parts.filter(|part| !is_named(&part.name) && !is_idle(&part.name));
         let parts: Vec<_> = parts.flat_map(|part| part.words).collect();

@@ -74,18 +74,18 @@ impl Settings {
         Ok(())
     }
 
-    pub fn number(&mut self, text: &str, put: impl FnOnce(&mut Self, f64)) -> Checked {
+    pub fn set_number(&mut self, text: &str, put: impl FnOnce(&mut Self, f64)) -> Checked {
         let x = number::parse_number_prefix(text).filter(|x| x.is_finite()).ok_or("expected a number")?;
         self.change(|p| put(p, x))
     }
 
     /// Sets a frame number: fractions are cut off, and negative numbers become 0, as in POV-Ray.
-    pub fn frame(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
+    pub fn set_frame_number(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
         let n = number::parse_whole_prefix(text).ok_or("expected a whole number")?;
         self.change(|p| put(p, n as u32))
     }
 
-    pub fn pixels(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
+    pub fn set_pixel_count(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
         let n = number::parse_whole_prefix(text)
             .filter(|&n| n >= 1.0)
             .ok_or("expected a whole number of pixels, 1 or more")?;
@@ -93,12 +93,12 @@ impl Settings {
     }
 
     pub fn clock(&mut self, text: &str) -> Checked {
-        self.number(text, |p, x| p.clock = Some(x))
+        self.set_number(text, |p, x| p.clock = Some(x))
     }
 
     pub fn antialias(&mut self, text: &str, on: bool) -> Checked {
         self.antialias = Some(on);
-        if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.threshold = x) }
+        if text.is_empty() { Ok(()) } else { self.set_number(text, |p, x| p.threshold = x) }
     }
 
     /// Sets the method of anti-aliasing, 1 or 2.
@@ -119,7 +119,7 @@ impl Settings {
     /// Sets the jitter of anti-aliasing; 0 and negative numbers turn it off (manual).
     pub fn jitter(&mut self, text: &str, on: bool) -> Checked {
         self.jitters = Some(on);
-        if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
+        if text.is_empty() { Ok(()) } else { self.set_number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
     }
 
     pub fn antialias_gamma(&mut self, text: &str) -> Checked {
@@ -186,7 +186,7 @@ impl Settings {
     }
 
     /// Returns the settings as options of durer. With `antialias_off_by_default`, anti-aliasing is off unless it was turned on.
-    pub fn options(&self, antialias_off_by_default: bool) -> Vec<String> {
+    pub fn durer_options(&self, antialias_off_by_default: bool) -> Vec<String> {
         let mut out = Vec::new();
         let mut put = |name: &str, value: String| out.push(format!("{name}={value}"));
         match self.antialias {

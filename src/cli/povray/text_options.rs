@@ -36,7 +36,7 @@ impl Translation<'_> {
     }
 
     /// Records that an option turns off the printing of a stream of text.
-    pub(super) fn silence(&mut self, stream: Stream, origin: Origin) {
+    pub(super) fn record_silenced_stream(&mut self, stream: Stream, origin: Origin) {
         self.text.silent.push((stream, origin.word));
     }
 

@@ -149,8 +149,8 @@ impl Config {
     }
 
     /// Returns the circumstances that determine the advice about a finished picture.
-    pub fn circumstances(&self, black: bool) -> Circumstances {
-        Circumstances { one_of_many: self.is_animated, black }
+    pub fn circumstances(&self, is_picture_black: bool) -> Circumstances {
+        Circumstances { one_of_many: self.is_animated, black: is_picture_black }
     }
 }
 

@@ -15,7 +15,7 @@ pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFile
     let is_json = to.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let text = if is_json { as_json(pictures, &files) } else { as_rule(pictures, &files) };
     if to == Path::new("-") {
-        return console.data(text);
+        return console.write_to_stdout(text);
     }
     Disk.write(to, &text).map_err(|error| Box::new(file::unwritable(&Disk, to, &error)).into())
 }

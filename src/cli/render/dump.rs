@@ -38,13 +38,13 @@ fn write_json(value: &Value, depth: usize, used_columns: usize, out: &mut String
     let room = WIDTH.saturating_sub(2 * depth + used_columns);
     let is_short = |text: &String| text.len() <= room;
     match value {
-        Value::Array(items) if !items.is_empty() => match Some(one_line_json(value, room)).filter(is_short) {
+        Value::Array(items) if !items.is_empty() => match Some(cut_one_line_json(value, room)).filter(is_short) {
             Some(text) => out.push_str(&text),
-            None => block(out, depth, ['[', ']'], items, |item, out| write_json(item, depth + 1, 0, out)),
+            None => write_block(out, depth, ['[', ']'], items, |item, out| write_json(item, depth + 1, 0, out)),
         },
-        Value::Object(fields) if !fields.is_empty() => match Some(one_line_json(value, room)).filter(is_short) {
+        Value::Object(fields) if !fields.is_empty() => match Some(cut_one_line_json(value, room)).filter(is_short) {
             Some(text) => out.push_str(&text),
-            None => block(out, depth, ['{', '}'], fields, |(name, field), out| {
+            None => write_block(out, depth, ['{', '}'], fields, |(name, field), out| {
                 let name = format!("{}: ", Value::from(name.as_str()));
                 out.push_str(&name);
                 write_json(field, depth + 1, name.len(), out);
@@ -54,7 +54,7 @@ fn write_json(value: &Value, depth: usize, used_columns: usize, out: &mut String
     }
 }
 
-fn block<T>(
+fn write_block<T>(
     out: &mut String,
     depth: usize,
     [open, close]: [char; 2],
@@ -72,23 +72,23 @@ fn block<T>(
     out.push(close);
 }
 
-/// Formats a value on one line. A text longer than `room` bytes is incomplete.
-fn one_line_json(value: &Value, room: usize) -> String {
+/// Formats a value on one line. A text longer than `max_bytes` bytes is incomplete.
+fn cut_one_line_json(value: &Value, max_bytes: usize) -> String {
     let mut out = String::new();
-    write_one_line_json(value, room, &mut out);
+    write_one_line_json(value, max_bytes, &mut out);
     out
 }
 
-fn write_one_line_json(value: &Value, room: usize, out: &mut String) {
-    if out.len() > room {
+fn write_one_line_json(value: &Value, max_bytes: usize, out: &mut String) {
+    if out.len() > max_bytes {
         return;
     }
     match value {
         Value::Array(items) => {
             out.push('[');
-            for (i, item) in items.iter().enumerate().take_while(|(i, _)| *i <= room) {
+            for (i, item) in items.iter().enumerate().take_while(|(i, _)| *i <= max_bytes) {
                 out.push_str(if i > 0 { ", " } else { "" });
-                write_one_line_json(item, room, out);
+                write_one_line_json(item, max_bytes, out);
             }
             out.push(']');
         }
@@ -97,7 +97,7 @@ fn write_one_line_json(value: &Value, room: usize, out: &mut String) {
             for (i, (name, field)) in fields.iter().enumerate() {
                 out.push_str(if i > 0 { ", " } else { "" });
                 out.push_str(&format!("{}: ", Value::from(name.as_str())));
-                write_one_line_json(field, room, out);
+                write_one_line_json(field, max_bytes, out);
             }
             out.push('}');
         }

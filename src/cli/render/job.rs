@@ -143,13 +143,14 @@ impl<'a> Job<'a> {
 
     /// Builds the Scene and World of a frame. A render that continues a journal gets the value of `now` with which the
     /// journal began.
-    fn build_as_begun(&mut self, timing: Timing, cancel: &CancelToken, journal: Option<&Journal>) -> Built {
+    fn build_with_journal_now(&mut self, timing: Timing, cancel: &CancelToken, journal: Option<&Journal>) -> Built {
         let begun = journal.filter(|_| self.config.resume).and_then(Journal::begun);
-        let options = self.options(timing);
+        let options = self.picture_options_text(timing);
         let now = begun.as_ref().filter(|begun| begun.is_current(&options, &self.common_files));
         let now = now.and_then(|begun| begun.work.now);
         let built = self.build(timing, cancel, now);
-        let is_other = begun.is_some_and(|begun| self.picture_inputs(timing).difference_reason(&begun.work).is_some());
+        let is_other =
+            begun.is_some_and(|begun| self.picture_work_identity(timing).difference_reason(&begun.work).is_some());
         // A picture that is rendered anew belongs to the present.
         if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
@@ -165,28 +166,33 @@ impl<'a> Job<'a> {
     }
 
     /// Returns the options that affect the picture of a frame before its encoding, as text.
-    fn options(&self, timing: Timing) -> String {
-        identity::options(&self.config.reading(timing), &self.config.drawing(timing))
+    fn picture_options_text(&self, timing: Timing) -> String {
+        identity::picture_options_text(&self.config.reading(timing), &self.config.drawing(timing))
     }
 
     /// Returns the identity of a picture's render, after its scene has been built.
-    fn picture_inputs(&self, timing: Timing) -> Work {
+    fn picture_work_identity(&self, timing: Timing) -> Work {
         let mut files = self.common_files.clone();
         files.extend(self.sources.read_files());
-        Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.now_if_used() }
+        Work {
+            options: self.picture_options_text(timing),
+            files,
+            lookups: self.sources.lookups(),
+            now: self.host.now_if_used(),
+        }
     }
 
     /// Returns the description of a shard, after its scene has been built.
-    fn header(&self, target: &Target, shard: Shard, timing: Timing) -> Header {
+    fn shard_header(&self, target: &Target, shard: Shard, timing: Timing) -> Header {
         let (reading, drawing) = (self.config.reading(timing), self.config.drawing(timing));
-        let identity = Identity::new(&self.config.input, &reading, &drawing, &self.picture_inputs(timing));
+        let identity = Identity::new(&self.config.input, &reading, &drawing, &self.picture_work_identity(timing));
         Header { identity, layout: Layout::new(&drawing, shard.count), encoding: target.encoding(), shard }
     }
 
     /// True if the target is a shard that an earlier run has finished.
     fn has_finished_shard(&self, target: &Target, timing: Timing) -> bool {
         let (Some(shard), Some(path)) = (target.shard(), target.file()) else { return false };
-        ShardFile::open(path).is_ok_and(|file| file.header == self.header(target, shard, timing))
+        ShardFile::open(path).is_ok_and(|file| file.header == self.shard_header(target, shard, timing))
     }
 
     /// Renders a frame of an animation, unless the frame is already finished.
@@ -194,7 +200,7 @@ impl<'a> Job<'a> {
         let (Some(finished), Some(picture)) = (finished, target.file()) else {
             return self.render(target, timing, None);
         };
-        let options = self.options(timing) + &target.encoding_options();
+        let options = self.picture_options_text(timing) + &target.encoding_options();
         if finished.is_current(timing.frame, picture, &options, &self.common_files) {
             journal::remove_finished_journal(picture);
             self.done.pictures.push(picture.to_path_buf());
@@ -214,11 +220,11 @@ impl<'a> Job<'a> {
     /// Renders a world and writes the picture to its file.
     fn render_and_write(&self, target: &Target, world: &World, timing: Timing, monitor: &Monitor) -> Result<Rendered> {
         let start = Instant::now();
-        let mut draft = target.draft()?;
+        let mut draft = target.start_draft()?;
         let drawing = self.config.drawing(timing);
         let (rays, written) = match (target.shard(), &mut draft) {
             (Some(shard), Some(draft)) => {
-                let mut writer = target.shard_writer(draft, &self.header(target, shard, timing))?;
+                let mut writer = target.shard_writer(draft, &self.shard_header(target, shard, timing))?;
                 let rays = monitor.render_shard(world, &drawing, shard, &mut writer)?;
                 (rays, Written { is_black: false, time: Duration::ZERO })
             }
@@ -263,7 +269,7 @@ impl<'a> Job<'a> {
         monitor.journal = journal.cloned();
         let mut saver = LightSaver::new(config.sandbox().clone());
         if let Some(journal) = journal {
-            journal::begin(console, journal, self.picture_inputs(timing), config.resume, config.keep_after);
+            journal::begin(console, journal, self.picture_work_identity(timing), config.resume, config.keep_after);
             if config.prepared.is_none() {
                 saver.use_journal(journal, world, &drawing, config.keep_after);
             }
@@ -276,7 +282,7 @@ impl<'a> Job<'a> {
         });
         let rendered = self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
             journal.and_then(|journal| journal::close_with_note(journal)).iter().for_each(|note| console.info(note));
-            match (interrupt::requested(), failure) {
+            match (interrupt::received_end_signal(), failure) {
                 // The signal that a file has reached its size limit is also an error of writing.
                 (Some(signal), fault @ Failure::Fault(_)) => {
                     console.print_failure(fault);
@@ -298,7 +304,7 @@ impl<'a> Job<'a> {
         finished: Option<&FinishedFrames>,
     ) {
         if let (Some(finished), Some(picture)) = (finished, target.file()) {
-            let mut work = self.picture_inputs(timing);
+            let mut work = self.picture_work_identity(timing);
             work.options += &target.encoding_options();
             finished.add(timing.frame, picture, Begun::new(work), journal.is_some_and(Journal::is_written));
         }
@@ -312,7 +318,7 @@ impl<'a> Job<'a> {
     fn render(&mut self, target: &Target, timing: Timing, finished: Option<&FinishedFrames>) -> Result {
         let (console, config, start) = (self.console, self.config, Instant::now());
         if config.dump.is_none() {
-            target.check()?;
+            target.check_writable()?;
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
         let journal = self.lock(target)?;
@@ -326,7 +332,7 @@ impl<'a> Job<'a> {
         };
         let deadline = Deadline::start(config.max_time, token, overrun);
         let token = deadline.token();
-        let mut built = self.build_as_begun(timing, token, journal.as_deref());
+        let mut built = self.build_with_journal_now(timing, token, journal.as_deref());
         if config.cancel.is_some() && token.reason() == Some(CancelReason::Request) {
             // The caller has no use for the messages of a run that it stopped.
             return Ok(Exit::Fine);
@@ -370,11 +376,11 @@ impl<'a> Job<'a> {
             console.info(&format!("{} ({:.1} s)\n", path.display(), start.elapsed().as_secs_f64()));
         }
         self.written.extend(written.map(Path::to_path_buf));
-        interrupt::requested().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
+        interrupt::received_end_signal().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
     }
 
     fn dump(&self, stage: &impl serde::Serialize) -> Result {
-        self.console.data(super::dump::to_json(self.sources, stage)).map(|()| Exit::Fine)
+        self.console.write_to_stdout(super::dump::to_json(self.sources, stage)).map(|()| Exit::Fine)
     }
 }
 
@@ -385,7 +391,7 @@ fn early_exit_handler(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
         if let Some(note) = journal::close_with_note(&journal).filter(|_| !quiet) {
             print_message(&note);
         }
-        journal.remove_empty();
+        journal.remove_if_empty();
     }
 }
 

@@ -139,13 +139,13 @@ impl LightSaver {
     }
 
     /// Uses the light in the journal of a picture, and stores other light in the journal if its computation takes longer
-    /// than `after`. Light in the journal that is incomplete or damaged is computed.
+    /// than `min_duration`. Light in the journal that is incomplete or damaged is computed.
     pub fn use_journal(
         &mut self,
         journal: &Arc<Journal>,
         world: &mut World,
         options: &render::Options,
-        after: Duration,
+        min_duration: Duration,
     ) {
         // The digests of a large scene take time.
         let is_loaded = |saved: &Option<&mut SavedLight>| saved.as_ref().is_some_and(|saved| saved.loaded.is_some());
@@ -160,7 +160,7 @@ impl LightSaver {
                 kinds.push((kind, saved.save.replace(file)));
             }
         }
-        let begins = Instant::now().checked_add(after);
+        let begins = Instant::now().checked_add(min_duration);
         self.journal = Some(JournalOfLight { journal: journal.clone(), begins, kinds });
     }
 

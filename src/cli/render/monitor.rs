@@ -122,7 +122,7 @@ impl Monitor<'_> {
     /// Returns the reason why the picture was not finished.
     fn stop_failure(&self) -> Failure {
         interrupt::await_cancelled_work();
-        if let Some(signal) = interrupt::requested() {
+        if let Some(signal) = interrupt::received_end_signal() {
             print_message(&format!("{}; no picture was written\n", signal.reason));
             return Failure::Reported(signal.exit);
         }

@@ -43,7 +43,7 @@ impl PartialPicture {
     /// Writes the finished tiles as a PNG file, and returns a line for people about the result.
     pub fn write_and_describe(&self) -> String {
         let path = self.path.display();
-        match self.write_returning_share() {
+        match self.write_returning_finished_fraction() {
             Ok(share) => format!("{path}: {:.0} % of the picture\n", (100.0 * share).floor()),
             Err(Failure::Fault(fault)) => format!("{}\n", fault.message),
             Err(_) => format!("{path} could not be written\n"),
@@ -52,16 +52,16 @@ impl PartialPicture {
 
     /// Writes the finished tiles as a PNG file, whole or not at all. Returns the finished share of the pixels, from 0
     /// to 1.
-    fn write_returning_share(&self) -> Result<f64> {
+    fn write_returning_finished_fraction(&self) -> Result<f64> {
         let unreadable = |reason: String| {
             let text = format!("the journal of `{}` can't be read: {reason}", self.path.display());
             Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNREADABLE, Span::NONE, text)))
         };
         let tiles = self.journal.finished_tiles_and_offsets().map_err(unreadable)?;
         let target = Target::of_file(&self.path, Encoding { alpha: true, ..Encoding::new(Format::Png) });
-        target.check()?;
+        target.check_writable()?;
         let [width, height] = self.size;
-        let mut draft = target.draft()?;
+        let mut draft = target.start_draft()?;
         let mut writer = target.writer(draft.as_mut(), (width, height))?;
         let band_height = (BAND / width.max(1)).clamp(1, MAX_TILE_HEIGHT);
         for top in (0..height).step_by(band_height) {

@@ -59,7 +59,7 @@ impl Report {
 /// Writes the last report to standard output, or all reports to a file: one line for each picture.
 pub fn write(reports: &[Report], console: &Console, stats: &Stats) -> Result<()> {
     match stats {
-        Stats::Json => reports.last().map_or(Ok(()), |report| console.json(report)),
+        Stats::Json => reports.last().map_or(Ok(()), |report| console.write_json_to_stdout(report)),
         Stats::File(path) => {
             let text: String = reports.iter().filter_map(|r| serde_json::to_string(r).ok()).map(|r| r + "\n").collect();
             Ok(Disk.write(path, text.as_bytes()).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?)

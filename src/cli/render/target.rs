@@ -58,7 +58,7 @@ impl Target {
             format.check(size.width, size.height, depth)?;
         }
         if let Location::File(path) = &location
-            && is_same(path, input)
+            && is_same_file(path, input)
         {
             return usage_error(format!("the picture would overwrite the scene `{}`", path.display()));
         }
@@ -133,8 +133,8 @@ impl Target {
     }
 
     /// Returns the destination of one frame. `%03d` in the name is replaced by the frame number with at least three
-    /// digits. Without a pattern, the number with `digits` digits precedes the extension.
-    pub fn numbered(&self, frame: u32, digits: usize) -> Self {
+    /// digits. Without a pattern, the number with `default_digits` digits precedes the extension.
+    pub fn numbered(&self, frame: u32, default_digits: usize) -> Self {
         let Location::File(path) = &self.location else {
             return self.clone();
         };
@@ -143,7 +143,7 @@ impl Target {
             format!("{}{frame:0least$}{}", &whole[..range.start], &whole[range.end..]).into()
         } else {
             let mut name = path.file_stem().unwrap_or_default().to_os_string();
-            name.push(format!("{frame:0digits$}"));
+            name.push(format!("{frame:0default_digits$}"));
             if let Some(ending) = path.extension() {
                 name.push(".");
                 name.push(ending);
@@ -154,7 +154,7 @@ impl Target {
     }
 
     /// Checks that the picture's file can be written (E0004).
-    pub fn check(&self) -> Result<()> {
+    pub fn check_writable(&self) -> Result<()> {
         match &self.location {
             Location::File(path) => {
                 check_old_file(path)?;
@@ -165,7 +165,7 @@ impl Target {
     }
 
     /// Starts the picture's file; `None` if the picture has no destination.
-    pub fn draft(&self) -> Result<Option<Draft>> {
+    pub fn start_draft(&self) -> Result<Option<Draft>> {
         Ok(match &self.location {
             Location::Nowhere => None,
             Location::Stdout => Some(Draft::in_memory(Path::new("-"))),
@@ -189,7 +189,7 @@ impl Target {
     /// Gives the finished file its name, and returns its path.
     pub fn commit(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
         match (&self.location, draft) {
-            (Location::Stdout, Some(draft)) => console.data(draft.into_bytes()).map(|()| None),
+            (Location::Stdout, Some(draft)) => console.write_to_stdout(draft.into_bytes()).map(|()| None),
             (Location::File(path), Some(draft)) => {
                 draft.commit(&Disk).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?;
                 Ok(Some(path))
@@ -253,7 +253,7 @@ fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some() && args.outside != Some(Outside::Black)
 }
 
-fn is_same(a: &Path, b: &Path) -> bool {
+fn is_same_file(a: &Path, b: &Path) -> bool {
     a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 

@@ -44,7 +44,7 @@ impl Identity {
     }
 
     /// Returns the reason why pixels of this identity and of `other` do not belong to one picture; `None` if they do.
-    pub fn difference(&self, other: &Self) -> Option<String> {
+    pub fn difference_reason(&self, other: &Self) -> Option<String> {
         if self.program != other.program {
             return Some(format!(
                 "durer {} rendered it, and durer {} rendered the others",

@@ -32,8 +32,8 @@ pub fn run(console: &Console, args: &MergeArgs) -> Result {
         ));
     }
     let target = Target::of_file(&args.picture, encoding);
-    target.check()?;
-    let mut draft = target.draft()?;
+    target.check_writable()?;
+    let mut draft = target.start_draft()?;
     let mut writer = target.writer(draft.as_mut(), (layout.width, layout.height))?;
     write_rows(&layout, &shards, &mut writer)?;
     writer.finish()?;
@@ -97,7 +97,7 @@ fn checked_shards(paths: &[PathBuf]) -> Result<BTreeMap<usize, ShardFile>> {
             } else if mine.shard.count != first.shard.count {
                 Some(format!("it is one of {} shards, and the others are of {}", mine.shard.count, first.shard.count))
             } else {
-                mine.identity.difference(&first.identity)
+                mine.identity.difference_reason(&first.identity)
             };
             if let Some(reason) = reason {
                 return Err(unusable(path, &reason));

@@ -122,8 +122,8 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
         return Err(Box::new(Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help)).into());
     }
     let target = Target::of_file(path, encoding);
-    target.check()?;
-    let mut draft = target.draft()?;
+    target.check_writable()?;
+    let mut draft = target.start_draft()?;
     let mut writer = target.writer(draft.as_mut(), (light.width, light.height))?;
     writer.write_rows(&light.pixels)?;
     writer.finish()?;

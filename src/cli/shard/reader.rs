@@ -32,7 +32,7 @@ impl ShardFile {
         }
         let file = File::open(path).map_err(|error| unreadable_reason(&error))?;
         let mut reader = BufReader::with_capacity(1 << 20, &file);
-        let start = read_start(&mut reader)?;
+        let start = read_format_and_header(&mut reader)?;
         let header: Header = serde_json::from_slice(&start[MAGIC.len()..]).map_err(|_| damaged_reason())?;
         check_sizes(&header)?;
         let (key, mut end) = (Key::of(&start), start.len() as u64);
@@ -65,7 +65,7 @@ impl ShardFile {
 }
 
 /// Reads the first two lines of a shard file, with their ends: the line that names the format, and the header.
-fn read_start(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
+fn read_format_and_header(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
     let mut start = vec![];
     let mut reader = reader.take(MAX_HEADER);
     reader.read_until(b'\n', &mut start).map_err(|error| unreadable_reason(&error))?;

@@ -38,7 +38,7 @@ impl<'d> ShardWriter<'d> {
     /// The diagnostic of a write error.
     pub fn write_block(&mut self, area: Region, pixels: &[[f32; 4]]) -> Result<()> {
         let mut record = vec![];
-        self.key.append(&mut record, self.length, Tile { pass: FINAL_PASS, area }, pixels);
+        self.key.append_tile(&mut record, self.length, Tile { pass: FINAL_PASS, area }, pixels);
         self.length += record.len() as u64;
         self.draft.write_all(&record).map_err(|error| Box::new((self.unwritable)(&error)))
     }

@@ -93,12 +93,12 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         match args.format {
             MessageFormat::Human => {
                 console.info(&outcome.messages);
-                console.data(result_lines(&case, &outcome, accept.as_deref()))?;
+                console.write_to_stdout(result_lines(&case, &outcome, accept.as_deref()))?;
             }
-            MessageFormat::Json => console.json(&as_json(&case, &outcome, accept.as_deref()))?,
+            MessageFormat::Json => console.write_json_to_stdout(&as_json(&case, &outcome, accept.as_deref()))?,
         }
         outcomes.push((case, outcome));
-        if let Some(signal) = interrupt::requested() {
+        if let Some(signal) = interrupt::received_end_signal() {
             return Err(Failure::Reported(signal.exit));
         }
     }
@@ -111,14 +111,14 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
     }
     if args.format == MessageFormat::Human {
         let words: Vec<_> = outcomes.iter().map(|(_, outcome)| result_word(outcome)).collect();
-        console.data(summary::total_line(&words, console.take_message_count()))?;
+        console.write_to_stdout(summary::total_line(&words, console.take_message_count()))?;
     }
     Ok(summary::combined_exit_code(outcomes.iter().map(|(_, outcome)| outcome.exit)))
 }
 
 /// Tests one scene without printing anything.
 pub fn try_quietly(case: &Case, setting: &Setting) -> Outcome {
-    try_case(&Console::plain(), case, setting)
+    try_case(&Console::before_arguments(), case, setting)
 }
 
 fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {

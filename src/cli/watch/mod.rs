@@ -54,7 +54,7 @@ fn render_args(args: &WatchArgs) -> RenderArgs {
 /// Writes the picture file after each change.
 fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
     let queue = Arc::new(RenderQueue::default());
-    let files = file_watcher(&queue, &args.input);
+    let files = start_file_watcher(&queue, &args.input);
     let mut worker = Worker::default();
     loop {
         let cancel = queue.pop().cancel;
@@ -67,7 +67,7 @@ fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
             render::run(&console_of_work, &render_args, render::Context { cancel: Some(token), ..Default::default() })
         };
         let Some((rendered, looked_up)) = worker.run(&cancel, work) else {
-            if let Some(signal) = interrupt::requested() {
+            if let Some(signal) = interrupt::received_end_signal() {
                 return Ok(signal.exit);
             }
             // The list of files stays: a cancelled run has not looked up all of them.
@@ -100,7 +100,7 @@ fn check_regular(input: &Path) -> std::result::Result<(), Box<Diagnostic>> {
 /// Serves the preview page with the scene's picture until the program is interrupted.
 fn serve_page(console: &Console, args: &WatchArgs) -> Result {
     let (queue, screen) = (Arc::new(RenderQueue::default()), Arc::new(Screen::default()));
-    let files = file_watcher(&queue, &args.input);
+    let files = start_file_watcher(&queue, &args.input);
     let render_loop = Arc::new(RenderLoop::new(args.clone(), queue, screen.clone()));
     let address = match serve(args.port, render_loop.clone(), screen) {
         Ok(address) => address,
@@ -121,7 +121,7 @@ fn serve_page(console: &Console, args: &WatchArgs) -> Result {
 }
 
 /// Starts to watch the scene's own file, so that a save ends even the first run.
-fn file_watcher(queue: &Arc<RenderQueue>, input: &Path) -> FileWatcher {
+fn start_file_watcher(queue: &Arc<RenderQueue>, input: &Path) -> FileWatcher {
     let queue = queue.clone();
     let files = FileWatcher::new(move || queue.push(Request::Scene, |_| {}));
     let content = Disk.read(input).map(|bytes| (input.to_path_buf(), ContentHash::of(&bytes)));

@@ -2,7 +2,7 @@
 
 use super::queue::{RenderQueue, Request, Work};
 use super::read::{self, Read, Scene};
-use super::worker::{Worker, discard, is_obsolete};
+use super::worker::{Worker, free_on_own_thread, is_obsolete};
 use crate::cli::args::WatchArgs;
 use crate::cli::args::values::Size;
 use crate::cli::console::Console;
@@ -71,7 +71,7 @@ impl RenderLoop {
             let Work { request, settings, cancel } = self.queue.pop();
             state.settings = settings;
             if request == Request::Scene || scene.is_none() {
-                discard(scene.take());
+                free_on_own_thread(scene.take());
                 state.status = "reading";
                 self.screen.set_state(state.clone());
             }
@@ -134,7 +134,7 @@ impl RenderLoop {
         self.screen.set_state(state.clone());
         let before =
             self.displayed.lock().unwrap_or_else(PoisonError::into_inner).replace((scene.clone(), options.clone()));
-        discard(before);
+        free_on_own_thread(before);
         let work = || self.render_now(scene, &options, cancel);
         match catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(rendered)) => {
@@ -182,7 +182,8 @@ impl RenderLoop {
         memory::check_memory(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
         let deadline = Deadline::start(scene.args.scene.time_limit(), cancel.clone(), Overrun::Continues);
-        let (rays, first) = preview::render_progressively(&scene.world, options, &self.screen, deadline.token())?;
+        let (rays, first) =
+            preview::render_and_time_first_level(&scene.world, options, &self.screen, deadline.token())?;
         Ok(Rendered { rays, first, rest: start.elapsed().saturating_sub(first) })
     }
 }
@@ -238,12 +239,12 @@ impl preview::Backend for RenderLoop {
         let size = (image.width, image.height);
         let save = || {
             let target = Target::new(&scene.input, &scene.args)?;
-            target.check()?;
-            let mut draft = target.draft()?;
+            target.check_writable()?;
+            let mut draft = target.start_draft()?;
             let mut writer = target.writer(draft.as_mut(), size)?;
             writer.write_rows(&image.pixels)?;
             writer.finish()?;
-            let path = target.commit(&Console::plain(), draft)?;
+            let path = target.commit(&Console::before_arguments(), draft)?;
             Ok(path.map(|path| path.display().to_string()).unwrap_or_default())
         };
         save().map_err(|failure| read::diagnostic_of(failure).message)

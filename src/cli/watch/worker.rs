@@ -70,7 +70,7 @@ impl<T: Send + 'static> Worker<T> {
 }
 
 /// Frees a value on a thread of its own: to free a large scene takes long.
-pub fn discard(value: impl Send + 'static) {
+pub fn free_on_own_thread(value: impl Send + 'static) {
     // Without a thread, the value is freed here.
     let _ = std::thread::Builder::new().name("discard".into()).spawn(move || drop(value));
 }

@@ -33,7 +33,7 @@ impl Gatherer<'_> {
             Directive::While(head, body) => self.arm(&mut arms, span, Some(head), body, false),
             Directive::For(one) => {
                 self.head_of_for(&one.head);
-                self.close_arm(&mut arms, start, &one.body, span, false);
+                self.gather_rest_of_arm(&mut arms, start, &one.body, span, false);
             }
             Directive::Switch(head, all) => {
                 let first = all.first().map_or(span.end(), |arm| arm.span);
@@ -46,7 +46,7 @@ impl Gatherer<'_> {
             Directive::Macro(one) => {
                 self.gather_through(one.span);
                 self.pending |= NO_BLANK_BEFORE;
-                self.close_arm(&mut arms, start, &one.body, span, false);
+                self.gather_rest_of_arm(&mut arms, start, &one.body, span, false);
             }
             Directive::Declare(_) | Directive::DeclarePieces(_) | Directive::Plain(_) => {}
         }
@@ -84,7 +84,7 @@ impl Gatherer<'_> {
             Some(Head::Pieces(Some(elements))) => self.gather_arguments(elements),
             _ => {}
         }
-        self.close_arm(arms, start, body, span, is_switch_arm);
+        self.gather_rest_of_arm(arms, start, body, span, is_switch_arm);
     }
 
     fn head_of_for(&mut self, head: &ForHead) {
@@ -97,7 +97,14 @@ impl Gatherer<'_> {
     }
 
     /// Adds the atoms of the rest of a directive's parentheses, and of its body.
-    fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, is_switch_arm: bool) {
+    fn gather_rest_of_arm(
+        &mut self,
+        arms: &mut Vec<Arm>,
+        start: usize,
+        body: &[Element],
+        span: Span,
+        is_switch_arm: bool,
+    ) {
         let first = body.first().map_or(self.local_offset(span.hi), |e| self.local_offset(e.span.lo));
         let text = self.text;
         let depth = |row: &[Atom]| {
@@ -113,7 +120,7 @@ impl Gatherer<'_> {
             let head = &text[..a.hi as usize];
             head.ends_with("else") || head.ends_with("default")
         });
-        if open == 0 && !headless && self.len() - start < 3 && self.next_token() == Some("(") {
+        if open == 0 && !headless && self.len() - start < 3 && self.peek_token_text() == Some("(") {
             self.gather_token();
             open = 1;
         }
@@ -121,7 +128,7 @@ impl Gatherer<'_> {
             && let Some(piece) = self.pieces.next
             && self.local_offset(piece.span().lo) < first
         {
-            open += match self.next_token() {
+            open += match self.peek_token_text() {
                 Some("(") => 1,
                 Some(")") => -1,
                 _ => 0,
@@ -184,7 +191,7 @@ impl Gatherer<'_> {
         match &e.kind {
             ExprKind::Vector(parts) => self.vector(e.span, parts),
             // A vector of numbers with a comment between them.
-            ExprKind::Literal(_) if self.next_token() == Some("<") => self.vector(e.span, &[]),
+            ExprKind::Literal(_) if self.peek_token_text() == Some("<") => self.vector(e.span, &[]),
             ExprKind::Call(_, parts) => {
                 self.gather_token();
                 self.pending |= NO_BLANK_BEFORE;

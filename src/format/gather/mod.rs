@@ -76,9 +76,9 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Adds all tokens and comments that begin before a local offset.
-    fn gather_up_to(&mut self, end: usize) {
+    fn gather_up_to(&mut self, local_end: usize) {
         while let Some(piece) = self.pieces.next
-            && self.local_offset(piece.span().lo) < end
+            && self.local_offset(piece.span().lo) < local_end
         {
             self.pieces.advance();
             self.add_piece(piece);
@@ -94,7 +94,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Returns the text of the next token; `None` before a comment.
-    fn next_token(&self) -> Option<&str> {
+    fn peek_token_text(&self) -> Option<&str> {
         match self.pieces.next {
             Some(Piece::Token(span)) => self.text.get(self.local_offset(span.lo)..self.local_offset(span.hi)),
             _ => None,
@@ -223,7 +223,7 @@ impl<'a> Gatherer<'a> {
                 ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
                     layers.push(start)
                 }
-                _ => self.mark_layers(&std::mem::take(&mut layers)),
+                _ => self.equalize_layer_line_starts(&std::mem::take(&mut layers)),
             }
             if item == ItemKind::Declare {
                 layers.push(start);
@@ -232,18 +232,18 @@ impl<'a> Gatherer<'a> {
                 self.split_list_into_items(start);
             }
         }
-        self.mark_layers(&layers);
+        self.equalize_layer_line_starts(&layers);
     }
 
     /// Makes all textures of a declaration begin a line if one of them does.
-    fn mark_layers(&mut self, starts: &[usize]) {
-        let [_, first, rest @ ..] = starts else { return };
+    fn equalize_layer_line_starts(&mut self, layer_start_atoms: &[usize]) {
+        let [_, first, rest @ ..] = layer_start_atoms else { return };
         if rest.is_empty() {
             return;
         }
         let breaks = rest.iter().any(|i| self.out.row[*i].lines > 0);
         let mut from = *first;
-        for i in &starts[1..] {
+        for i in &layer_start_atoms[1..] {
             // Comments before it too.
             self.out.row[from..=*i].iter_mut().for_each(|atom| atom.flags |= LAYER);
             let atom = &mut self.out.row[*i];
@@ -263,12 +263,12 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Marks the atoms from `start` to the last one as an item.
-    fn mark_item(&mut self, start: usize, item: ItemKind) {
+    /// Marks the atoms from `start_atom` to the last one as an item.
+    fn mark_item(&mut self, start_atom: usize, item: ItemKind) {
         let end = self.len() as u32;
         let text = self.text;
         let read = |atom: &Atom| &text[atom.lo as usize..atom.hi as usize];
-        let (before, rest) = self.out.row.split_at_mut(start);
+        let (before, rest) = self.out.row.split_at_mut(start_atom);
         let Some(first) = rest.first_mut() else { return };
         (first.item, first.next) = (item, end);
         let Some(last) = before.last().filter(|a| a.flags & COMMENT == 0) else { return };
@@ -287,9 +287,9 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Makes each number or vector of a list an item of the body.
-    fn split_list_into_items(&mut self, start: usize) {
-        let (end, mut from, mut depth) = (self.len(), start, 0);
-        for i in start..end {
+    fn split_list_into_items(&mut self, start_atom: usize) {
+        let (end, mut from, mut depth) = (self.len(), start_atom, 0);
+        for i in start_atom..end {
             let atom = self.out.row[i];
             depth += i32::from(atom.flags & OPEN != 0) - i32::from(atom.flags & CLOSE != 0);
             if depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',' || i + 1 == end {
@@ -355,12 +355,12 @@ impl<'a> Gatherer<'a> {
     fn function(&mut self, function: &Function, span: Span) -> ItemKind {
         let start = self.len();
         self.gather_token();
-        if self.next_token() == Some("(") {
+        if self.peek_token_text() == Some("(") {
             self.pending |= NO_BLANK_BEFORE;
         }
         function.size.iter().for_each(|e| self.expr(e));
         while self.len() == start + 1 || self.text.as_bytes()[self.at - 1] != b'{' {
-            if self.next_token() == Some("{") {
+            if self.peek_token_text() == Some("{") {
                 self.pending |= SAME_LINE;
             }
             if self.pieces.next.is_none() {

@@ -104,13 +104,13 @@ pub fn f_mesh1([x, y, z, dx, dz, flat, amplitude, high]: [f64; 8]) -> f64 {
     square.sqrt()
 }
 
-fn polynomial(y: f64, [a, b, c, d, e]: [f64; 5]) -> f64 {
+fn polynomial_from_constant(y: f64, [a, b, c, d, e]: [f64; 5]) -> f64 {
     a + y * (b + y * (c + y * (d + y * e)))
 }
 
 /// Internal function `f_poly4`: √(x² + z²) minus the polynomial in y, or minus -5 where the polynomial is less.
 pub fn f_poly4([x, y, z, a, b, c, d, e]: [f64; 8]) -> f64 {
-    (x * x + z * z).sqrt() - polynomial(y, [a, b, c, d, e]).max(-5.0)
+    (x * x + z * z).sqrt() - polynomial_from_constant(y, [a, b, c, d, e]).max(-5.0)
 }
 
 /// Internal function `f_polytubes`: The horizontal distance from the nearest of the tubes around the y axis, whose
@@ -120,7 +120,7 @@ pub fn f_polytubes([x, y, z, number, a, b, c, d, e]: [f64; 9]) -> f64 {
         return 1e4;
     }
     let (step, last) = (TAU / number, number.floor() - 1.0);
-    let (q, radius) = ((x * x + z * z).sqrt(), polynomial(y, [a, b, c, d, e]));
+    let (q, radius) = ((x * x + z * z).sqrt(), polynomial_from_constant(y, [a, b, c, d, e]));
     let from_tube = |away: f64| {
         let (across, half) = (q - radius.abs(), fp::sin(0.5 * away));
         across * across + 4.0 * q * radius.abs() * half * half

@@ -70,6 +70,6 @@ fn clamp_symmetrically(value: f64, limit: f64) -> f64 {
 }
 
 /// Bounds of an internal function that is a clamped polynomial, ±10 for any arguments.
-fn field_bounds(_: &[Interval]) -> Interval {
+fn clamped_field_bounds(_: &[Interval]) -> Interval {
     Interval { lo: -10.0, hi: 10.0 }
 }

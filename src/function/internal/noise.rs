@@ -146,7 +146,7 @@ impl Octaves {
     fn octave_bounds(&self, frequency: f64) -> Interval {
         let value = noise(self.p * frequency, self.generator);
         let far = self.generator.max_gradient() * self.radius * frequency.abs();
-        Interval { lo: value - far, hi: value + far }.widened().intersection_or_self(Interval::TRUTH)
+        Interval { lo: value - far, hi: value + far }.widened_by_rounding().intersection_or_self(Interval::TRUTH)
     }
 
     /// Bounds of noise from -1 to 1 over the box, at this multiple of the frequency.
@@ -156,8 +156,8 @@ impl Octaves {
 }
 
 /// Replaces bounds that are NaN by the interval of all numbers; widens all others by a rounding error.
-fn without_nan(bounds: Interval) -> Interval {
-    if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened() }
+fn widened_without_nan(bounds: Interval) -> Interval {
+    if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened_by_rounding() }
 }
 
 /// Bounds of the internal function [`f_hetero_mf`] over a box of arguments.
@@ -180,7 +180,7 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
         i += 1.0;
     }
     let rest = octaves - octaves.floor();
-    without_nan(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
+    widened_without_nan(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
 }
 
 /// Bounds of the internal function [`f_ridged_mf`] over a box of arguments.
@@ -201,7 +201,7 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
         sum = sum + signal * Interval::point(weight);
         i += 1.0;
     }
-    without_nan(sum)
+    widened_without_nan(sum)
 }
 
 /// Bounds of the internal function [`f_ridge`] over a box of arguments.
@@ -230,5 +230,5 @@ pub fn ridge_bounds(a: &[Interval]) -> Interval {
         add(rest);
     }
     let mean = sum * Interval::point(1.0 / weights) + Interval::point(-offset);
-    without_nan(mean * Interval::point(1.0 / offset.max(1.0 - offset)))
+    widened_without_nan(mean * Interval::point(1.0 / offset.max(1.0 - offset)))
 }

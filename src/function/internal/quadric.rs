@@ -81,8 +81,8 @@ pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
 }
 
 /// Upper bound of the gradient of the internal function [`f_ellipsoid`].
-pub fn ellipsoid_max_gradient(inverse: &[f64]) -> f64 {
-    inverse.iter().fold(0.0, |most, x| x.abs().max(most))
+pub fn ellipsoid_max_gradient(inverse_half_axes: &[f64]) -> f64 {
+    inverse_half_axes.iter().fold(0.0, |most, x| x.abs().max(most))
 }
 
 /// Bounds of the internal function [`f_torus`] over a box of arguments.

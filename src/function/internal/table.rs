@@ -1,6 +1,8 @@
 //! The functions, by number.
 
-use super::{Internal, SCENE_NOISE, algebraic, call_with_array, field_bounds, helix, misc, noise, planar, quadric};
+use super::{
+    Internal, SCENE_NOISE, algebraic, call_with_array, clamped_field_bounds, helix, misc, noise, planar, quadric,
+};
 use crate::function::Interval;
 
 type Bounds = Option<fn(&[Interval]) -> Interval>;
@@ -17,7 +19,7 @@ const CYLINDER: &[&str] = &[STRENGTH, LIMIT, SWITCH, OFFSET, ANGLE];
 const TORUS: &[&str] = &[STRENGTH, "major radius", "minor radius"];
 const ELLIPSOIDS: &[&str] = &["eccentricity: 1 for spheres", "inverse size", "strength", "threshold"];
 
-const FIELD_BOUNDS: Bounds = Some(field_bounds);
+const FIELD_BOUNDS: Bounds = Some(clamped_field_bounds);
 
 /// All internal functions: number, name, summary, formula, bounds, and the parameters' meanings.
 #[rustfmt::skip]

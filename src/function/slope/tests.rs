@@ -98,7 +98,7 @@ fn noise_gradients_are_within_their_bound() {
 fn local_bounds_of_noise_hold() {
     for number in [1.0, 2.0, 3.0] {
         let callee = Callee::Internal(crate::function::internal::find_internal(78).unwrap());
-        let at = |p: DVec3| callee.call(0, &[p.x, p.y, p.z, number]);
+        let at = |p: DVec3| callee.call_component(0, &[p.x, p.y, p.z, number]);
         let mut stream = crate::math::rng::Stream::new(&[number as u64]);
         let mut vector = |size: f64| DVec3::from([(); 3].map(|()| (2.0 * stream.next_random() - 1.0) * size));
         let mut bent = 0;

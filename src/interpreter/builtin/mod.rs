@@ -77,11 +77,11 @@ impl Arguments {
     fn text(&self, i: usize) -> Result<&str> {
         match &self.values[i].0 {
             Value::Text(text) => Ok(text),
-            other => self.wrong(i, "a string", other),
+            other => self.wrong_type_error(i, "a string", other),
         }
     }
 
-    fn wrong<T>(&self, i: usize, wanted: &str, found: &Value) -> Result<T> {
+    fn wrong_type_error<T>(&self, i: usize, wanted: &str, found: &Value) -> Result<T> {
         let message = format!("expected {wanted}, found {}", found.describe());
         Diagnostic::err(codes::WRONG_TYPE, self.values[i].1, message)
     }
@@ -98,10 +98,10 @@ impl Arguments {
 
 impl<'a> Interpreter<'a> {
     /// Calls a built-in function with parsed arguments.
-    pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
+    pub(super) fn call_builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
         match self.function_of(name, span)? {
             Function::Special(row) => {
-                check_count(name, &row.arity, arguments.len(), span)?;
+                check_argument_count(name, &row.arity, arguments.len(), span)?;
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
                 for argument in arguments {
                     given.push(self.argument_of_expression(argument)?);
@@ -127,7 +127,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<Value> {
         match self.function_of(name, span)? {
             Function::Special(Special { run, arity, .. }) => {
-                check_count(name, arity, arguments.len(), span)?;
+                check_argument_count(name, arity, arguments.len(), span)?;
                 run(self, &arguments, span)
             }
             function => {
@@ -150,14 +150,14 @@ impl<'a> Interpreter<'a> {
         let found = arguments.values.len();
         match function {
             Function::Numeric(row) => {
-                check_count(name, &numeric::arity(row), found, span)?;
+                check_argument_count(name, &numeric::arity(row), found, span)?;
                 if let (Domain::Divides, Some((Value::Float(0.0), at))) = (row.domain, arguments.values.last()) {
                     self.report_division_by_zero(*at);
                 }
                 numeric::compute(row, &arguments)
             }
             Function::Plain(row) => {
-                check_count(name, &row.arity, found, span)?;
+                check_argument_count(name, &row.arity, found, span)?;
                 let value = (row.run)(&arguments)?;
                 self.count_and_limit_text(&value, span)?;
                 Ok(value)
@@ -185,7 +185,7 @@ pub(super) fn needs_commas(name: &str) -> bool {
 }
 
 /// Checks the number of arguments of a function's call.
-fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
+fn check_argument_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
     if arity.contains(&found) {
         return Ok(());
     }
@@ -201,7 +201,7 @@ fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Sp
 }
 
 /// Returns name, arguments and summary of each function that scripts have and `function { }` does not.
-pub(super) fn usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+pub(super) fn script_only_usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     plain_builtins()
         .map(|f| (f.name, f.usage, f.summary))
         .chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))

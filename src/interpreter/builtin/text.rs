@@ -160,7 +160,7 @@ fn substr(a: &Arguments) -> Result<Value> {
 fn vstr(a: &Arguments) -> Result<Value> {
     let n = a.float(0)?.clamp(2.0, 5.0) as usize;
     let value = &a.values[1].0;
-    let Some(VecN { c, .. }) = numbers_of(value) else { return a.wrong(1, "a vector", value) };
+    let Some(VecN { c, .. }) = numbers_of(value) else { return a.wrong_type_error(1, "a vector", value) };
     let (separator, width, precision) = (a.text(2)?, a.float(3)? as i64, a.float(4)? as i64);
     let parts: Vec<String> = c[..n].iter().map(|x| format_number(*x, width, precision)).collect();
     Ok(text_value(parts.join(separator)))

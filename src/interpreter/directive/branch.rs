@@ -34,7 +34,7 @@ impl<'a> Interpreter<'a> {
             let (value, at) = me.read_expression(true)?;
             as_float(&value, at)
         });
-        number.map_err(|fault| match doubled_operator(elements) {
+        number.map_err(|fault| match doubled_operator_second_sign(elements) {
             Some(at) => Box::new(self.syntax_error_at(at)),
             None => fault,
         })
@@ -83,7 +83,7 @@ impl<'a> Interpreter<'a> {
             self.close("`)`").map(|()| number)
         });
         read.map_err(|fault| {
-            let fault = self.stream.with_trace(*fault);
+            let fault = self.stream.with_call_trace(*fault);
             self.unwind(checkpoint);
             Box::new(fault)
         })
@@ -98,7 +98,9 @@ impl<'a> Interpreter<'a> {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
                         let argument = match me.read_argument() {
-                            Err(fault) if fault.code == codes::UNDECLARED => return me.skip_to_end().map(|()| false),
+                            Err(fault) if fault.code == codes::UNDECLARED => {
+                                return me.skip_to_closing_bracket().map(|()| false);
+                            }
                             argument => argument?,
                         };
                         match argument.given {
@@ -115,7 +117,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Skips the rest of the tokens inside a bracket.
-    fn skip_to_end(&mut self) -> Result<()> {
+    fn skip_to_closing_bracket(&mut self) -> Result<()> {
         while !self.peek()?.is_closer_or_end() {
             self.stream.advance();
         }
@@ -252,12 +254,14 @@ impl<'a> Interpreter<'a> {
 }
 
 /// Returns the span of the second sign of `==`, `&&` or `||`, a habit from other languages.
-fn doubled_operator(elements: &[Element]) -> Option<Span> {
+fn doubled_operator_second_sign(elements: &[Element]) -> Option<Span> {
     let sign = |e: &Element| match e.kind {
         ElementKind::Punctuation(Punctuation::Operator(op)) => Some(op),
         _ => None,
     };
-    let doubled = |pair: &&[Element]| sign(&pair[0]).is_some_and(|op| sign(&pair[1]) == Some(op) && !op.adds());
+    let doubled = |pair: &&[Element]| {
+        sign(&pair[0]).is_some_and(|op| sign(&pair[1]) == Some(op) && !op.is_addition_or_subtraction())
+    };
     elements.windows(2).find(doubled).map(|pair| pair[1].span)
 }
 

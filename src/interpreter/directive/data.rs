@@ -5,12 +5,12 @@ use crate::interpreter::evaluator::numbers_of;
 use crate::value::{Value, VecN, format_decimal, trim_zeros};
 
 /// Skips blanks, commas and comments; returns the new offset.
-pub(super) fn skip_blanks(text: &str, at: usize) -> usize {
-    skip_blanks_and(text, at, |c| c == ',')
+pub(super) fn skip_blanks_commas_comments(text: &str, at: usize) -> usize {
+    skip_blanks_comments_and(text, at, |c| c == ',')
 }
 
 /// Skips blanks, comments and the characters that `also` accepts; returns the new offset.
-pub(super) fn skip_blanks_and(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
+pub(super) fn skip_blanks_comments_and(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
     loop {
         let rest = &text[at..];
         let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || also(c)).len();
@@ -30,14 +30,14 @@ pub(super) fn skip_blanks_and(text: &str, mut at: usize, also: fn(char) -> bool)
 pub(super) fn data_value_and_length(text: &str) -> Option<(Value, usize)> {
     match text.as_bytes()[0] {
         b'"' => {
-            let end = 1 + closing_quote(&text[1..])?;
+            let end = 1 + closing_quote_offset(&text[1..])?;
             let inner = crate::syntax::unescape(&text[..=end]);
             Some((Value::Text((*inner).into()), end + 1))
         }
         b'<' => {
             let (mut at, mut c) = (1, vec![]);
             loop {
-                at = skip_blanks(text, at);
+                at = skip_blanks_commas_comments(text, at);
                 if text[at..].starts_with('>') {
                     break;
                 }
@@ -51,7 +51,7 @@ pub(super) fn data_value_and_length(text: &str) -> Option<(Value, usize)> {
     }
 }
 
-fn closing_quote(text: &str) -> Option<usize> {
+fn closing_quote_offset(text: &str) -> Option<usize> {
     let mut escaped = false;
     text.bytes().position(|b| {
         let ends = b == b'"' && !escaped;
@@ -68,20 +68,20 @@ pub(super) fn data_bytes(value: &Value, form: Option<Binary>) -> Option<Vec<u8>>
     let v = numbers_of(value)?;
     let all = &v.c[..v.len as usize];
     Some(match (form, all) {
-        (Some(form), all) => all.iter().flat_map(|x| form.bytes(*x)).collect(),
-        (None, [x]) => format_six_digits(*x).into_bytes(),
+        (Some(form), all) => all.iter().flat_map(|x| form.round_and_encode(*x)).collect(),
+        (None, [x]) => format_six_significant_digits(*x).into_bytes(),
         (None, all) => vector_text(all).into_bytes(),
     })
 }
 
 /// Formats a vector as POV-Ray does: `<1,2,3> `.
 fn vector_text(all: &[f64]) -> String {
-    let parts: Vec<String> = all.iter().map(|x| format_six_digits(*x)).collect();
+    let parts: Vec<String> = all.iter().map(|x| format_six_significant_digits(*x)).collect();
     format!("<{}> ", parts.join(","))
 }
 
 /// Formats a number as C's `%g` does: six significant digits, without trailing zeros.
-fn format_six_digits(x: f64) -> String {
+fn format_six_significant_digits(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return match x {
             _ if x.is_nan() => "nan".into(),
@@ -127,7 +127,7 @@ impl Binary {
     }
 
     /// Rounds a number to the nearest integer in the format's range, and encodes it.
-    fn bytes(self, x: f64) -> Vec<u8> {
+    fn round_and_encode(self, x: f64) -> Vec<u8> {
         let values = (1_i64 << (8 * self.size)) as f64;
         let (low, high) = if self.signed { (-values / 2.0, values / 2.0 - 1.0) } else { (0.0, values - 1.0) };
         let bytes = (x.round().clamp(low, high) as i64).to_le_bytes();
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn integers_are_encoded_in_binary_formats() {
-        let bytes = |word, x| Binary::from_word(word).map(|form| form.bytes(x));
+        let bytes = |word, x| Binary::from_word(word).map(|form| form.round_and_encode(x));
         assert_eq!(bytes("uint8", 65.0), Some(vec![65]));
         assert_eq!(bytes("uint8", 300.0), Some(vec![255]));
         assert_eq!(bytes("sint8", -1.7), Some(vec![0xfe]));
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn numbers_are_formatted_as_by_c() {
         let all = [0.1, 1.23456789, 1e5, 1e6, 1234567.89, 1e300, -2.5e-7, 0.0001, 100.0, 999_999.5];
-        let texts: Vec<String> = all.iter().map(|x| format_six_digits(*x)).collect();
+        let texts: Vec<String> = all.iter().map(|x| format_six_significant_digits(*x)).collect();
         let wanted =
             ["0.1", "1.23457", "100000", "1e+06", "1.23457e+06", "1e+300", "-2.5e-07", "0.0001", "100", "1e+06"];
         assert_eq!(texts, wanted);

@@ -87,7 +87,7 @@ impl<'a> Interpreter<'a> {
         let deprecated = self.read_deprecated()?;
         if let Some(ElementKind::Expr(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Paren))) =
             self.stream.next_raw_element().map(|e| &e.kind)
-            && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
+            && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis_or_end()?
         {
             self.open()?;
             let mut targets = vec![];
@@ -118,7 +118,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Returns the next token if it is `(`, and [`Token::End`] otherwise.
-    fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
+    fn peek_parenthesis_or_end(&mut self) -> Result<Token<'a>> {
         match self.stream.next_raw_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next_element(),
             Some(ElementKind::Punctuation(_)) => {}
@@ -213,7 +213,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
-        let first = self.reporter.position();
+        let first = self.reporter.diagnostic_count();
         let checkpoint = self.stream.checkpoint();
         let floor = checkpoint.frame_count();
         let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.run_rest_of_macros(floor).map(|()| slot));
@@ -231,7 +231,7 @@ impl<'a> Interpreter<'a> {
                 return Err(fault);
             }
             Err(fault) => {
-                let fault = self.stream.with_trace(*fault);
+                let fault = self.stream.with_call_trace(*fault);
                 self.skip_statement(checkpoint);
                 self.stream.skip_following_texture_layers(checkpoint);
                 // Text that POV-Ray cannot even tokenize is an error at once.
@@ -262,24 +262,24 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol: target.symbol, level: None, lvalue })
     }
 
-    /// Assigns a value to the target of a declaration; `pending` are warnings that are reported at the first use.
-    fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    /// Assigns a value to the target of a declaration; `first_use_warnings` are warnings that are reported at the first use.
+    fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         match &declared.lvalue {
             Some(lvalue) => {
                 self.evaluator.scopes_mut().set_element(lvalue, Some(slot));
-                pending.into_iter().for_each(|d| self.reporter.report(d));
+                first_use_warnings.into_iter().for_each(|d| self.reporter.report(d));
             }
             None if let Some(level) = declared.level => {
-                self.evaluator.scopes_mut().set_at_level(declared.symbol, level, slot, pending);
+                self.evaluator.scopes_mut().set_at_level(declared.symbol, level, slot, first_use_warnings);
             }
-            None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, pending),
-            None => self.evaluator.scopes_mut().set_global(declared.symbol, slot, pending),
+            None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, first_use_warnings),
+            None => self.evaluator.scopes_mut().set_global(declared.symbol, slot, first_use_warnings),
         }
     }
 
     /// Reads the values `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is
     /// assigned, so that `(A, B) = (B, A)` swaps them.
-    fn read_values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
+    fn read_values_in_parentheses(&mut self, value_count: usize) -> Result<Vec<Slot<'a>>> {
         self.split_to_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
@@ -291,10 +291,10 @@ impl<'a> Interpreter<'a> {
         }
         let end = self.stream.next_span();
         self.close("`)`")?;
-        if values.len() == wanted {
+        if values.len() == value_count {
             return Ok(values);
         }
-        Diagnostic::err(codes::WRONG_COUNT, span.to(end), format!("{wanted} names get {} values", values.len()))
+        Diagnostic::err(codes::WRONG_COUNT, span.to(end), format!("{value_count} names get {} values", values.len()))
     }
 
     pub fn run_undef(&mut self, span: Span) -> Result<()> {

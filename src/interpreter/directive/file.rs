@@ -1,6 +1,6 @@
 //! The directives `#fopen`, `#fclose`, `#read` and `#write` (manual, "User Defined File I/O").
 
-use super::data::{Binary, data_bytes, data_value_and_length, skip_blanks};
+use super::data::{Binary, data_bytes, data_value_and_length, skip_blanks_commas_comments};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
@@ -188,7 +188,7 @@ impl<'a> Interpreter<'a> {
             if !more {
                 continue;
             }
-            let value = self.next_value_and_follows(index, span);
+            let value = self.value_and_has_more(index, span);
             if let (Err(_), ArgumentForm::Name(symbol)) = (&value, &target.given) {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
             }
@@ -215,20 +215,20 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the next number, vector or string of a file. The flag is true if more values follow.
-    fn next_value_and_follows(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
+    fn value_and_has_more(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
             let message = format!("`{}` is open for writing: it can't be read", file.name);
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
         };
         let text = self.inputs.sources.text(*file);
-        *at = skip_blanks(text, *at);
+        *at = skip_blanks_commas_comments(text, *at);
         if *at == text.len() {
             return Ok(None);
         }
         match data_value_and_length(&text[*at..]) {
             Some((value, length)) => {
-                *at = skip_blanks(text, *at + length);
+                *at = skip_blanks_commas_comments(text, *at + length);
                 Ok(Some((value, *at < text.len())))
             }
             None => {

@@ -16,17 +16,17 @@ impl<'a> Interpreter<'a> {
         self.include(&text, name, joined_span_if_near(span, name))
     }
 
-    /// Includes the file `text`: its tokens come next. `name` is the span of the file's name, `span` of the directive.
-    pub fn include(&mut self, text: &str, name: Span, span: Span) -> Result<()> {
+    /// Includes the file `file_name`: its tokens come next. `name_span` is the span of the file's name, `span` of the directive.
+    pub fn include(&mut self, file_name: &str, name_span: Span, span: Span) -> Result<()> {
         if self.stream.include_paths().len() >= MAX_INCLUDES {
-            let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
+            let message = format!("`{file_name}` is included inside {MAX_INCLUDES} includes");
             return self.reporter.limit_error(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let (path, ast) = match self.find_readable_file(text, name)? {
-            Some(path) => (path.clone(), self.load(&path, text, name)?),
-            None => match library::builtin_file_text(text) {
-                Some(built_in) => self.load_built_in(text, built_in, name)?,
-                None => return Err(self.missing_include_error(text, name).into()),
+        let (path, ast) = match self.find_readable_file(file_name, name_span)? {
+            Some(path) => (path.clone(), self.load(&path, file_name, name_span)?),
+            None => match library::builtin_file_text(file_name) {
+                Some(built_in) => self.load_built_in(file_name, built_in, name_span)?,
+                None => return Err(self.missing_include_error(file_name, name_span).into()),
             },
         };
         self.evaluator.scopes_mut().enter_scope();
@@ -69,7 +69,7 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the id in `Sources` of the text of an included file, which is read again only if the file has changed.
     pub fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
-        if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
+        if let Some(file) = self.inputs.parsed.unchanged_file(self.inputs.files, path) {
             return Ok(file);
         }
         let text = read_text(self.inputs.files, path).map_err(|e| {
@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
     fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
         let path = Path::new(library::FOLDER).join(name);
         if let Some(ast) =
-            self.inputs.parsed.file(self.inputs.files, &path).and_then(|file| self.inputs.parsed.tree(file))
+            self.inputs.parsed.unchanged_file(self.inputs.files, &path).and_then(|file| self.inputs.parsed.tree(file))
         {
             return Ok((path, ast));
         }
@@ -128,7 +128,7 @@ impl<'a> Interpreter<'a> {
         for fault in faults {
             self.reporter.report(fault);
         }
-        last.trace = self.stream.trace().into();
+        last.trace = self.stream.call_trace().into();
         self.reporter.report(last);
         Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }

@@ -23,22 +23,28 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Calls a macro: evaluates the arguments and opens a scope. The body is read next, then a comma if `comma` is set.
-    pub fn call_macro(&mut self, name: Symbol, arguments: &'a [Element], span: Span, comma: bool) -> Result<()> {
+    /// Calls a macro: evaluates the arguments and opens a scope. The body is read next, then a comma if `has_comma_after` is set.
+    pub fn call_macro(
+        &mut self,
+        name: Symbol,
+        arguments: &'a [Element],
+        span: Span,
+        has_comma_after: bool,
+    ) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
-        self.check_depth(name, span)?;
+        self.check_call_depth(name, span)?;
         let slots = match self.evaluate_plain_arguments(definition, arguments)? {
             Some(slots) => slots,
             None => self.read_contents(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
         };
-        self.enter_macro(definition, slots, span, comma);
+        self.enter_macro(definition, slots, span, has_comma_after);
         Ok(())
     }
 
     /// Calls a macro whose name has been consumed; the next token is the `(`.
     pub fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
-        self.check_depth(name, span)?;
+        self.check_call_depth(name, span)?;
         self.split_to_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
             let name = self.inputs.names.text(name);
@@ -65,7 +71,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn check_depth(&mut self, name: Symbol, span: Span) -> Result<()> {
+    fn check_call_depth(&mut self, name: Symbol, span: Span) -> Result<()> {
         self.reporter.step(span)?;
         if self.stream.call_depth() < MAX_CALLS {
             return Ok(());
@@ -98,7 +104,7 @@ impl<'a> Interpreter<'a> {
             return Ok(None);
         }
         // The list is reused: calls are many, and evaluation itself does not allocate.
-        let mut slots = self.evaluator.take_spare_arguments();
+        let mut slots = self.evaluator.take_empty_argument_list();
         slots.clear();
         for (i, element) in arguments.iter().enumerate() {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
@@ -172,7 +178,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads an argument of a macro. A name alone is passed by reference, unless it is local to a macro that ends with
     /// the argument; any other value is copied.
-    fn read_macro_argument(&mut self, level: u32) -> Result<Slot<'a>> {
+    fn read_macro_argument(&mut self, call_level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.read_rvalue();
         }
@@ -180,7 +186,7 @@ impl<'a> Interpreter<'a> {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.scopes().resolve(*symbol),
             _ => None,
         };
-        let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
+        let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= call_level);
         let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
         match argument.given {
             ArgumentForm::Name(symbol) if let Some(own) = lasting => {
@@ -189,7 +195,7 @@ impl<'a> Interpreter<'a> {
                     _ => None,
                 };
                 let referenced = self.reference_target(symbol, next);
-                let referenced = referenced.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
+                let referenced = referenced.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= call_level);
                 Ok(Slot::Alias(referenced.unwrap_or(own)))
             }
             ArgumentForm::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),

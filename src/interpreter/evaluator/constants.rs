@@ -69,7 +69,7 @@ fn constant_value(name: &str, inputs: Inputs) -> Option<Value> {
         "image_width" => float(inputs.options.size.0 as f64),
         "image_height" => float(inputs.options.size.1 as f64),
         "input_file_name" => Some(Value::Text(inputs.options.input_name.as_str().into())),
-        _ => inputs.options.timing.constant(name).map(Value::Float),
+        _ => inputs.options.timing.animation_constant(name).map(Value::Float),
     }
 }
 

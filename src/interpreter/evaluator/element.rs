@@ -55,7 +55,7 @@ impl<'a> Evaluator<'a> {
     pub fn key_lvalue(&mut self, lvalue: LValue, keys: &[(Value, Span)], adds_key: bool) -> Result<LValue> {
         let mut lvalue = lvalue;
         for (i, (value, span)) in keys.iter().enumerate() {
-            let Value::Text(key) = value else { return not_text(value, *span) };
+            let Value::Text(key) = value else { return not_text_error(value, *span) };
             let Some(dictionary) = self.scopes.dictionary(&lvalue) else {
                 return Diagnostic::err(codes::WRONG_TYPE, *span, "this is no dictionary: it has no keys");
             };
@@ -92,7 +92,7 @@ fn missing_key_error(dictionary: &Array, key: &str, span: Span) -> Fault {
 }
 
 /// Returns the error "expected a string" for a value of another type.
-pub fn not_text<T>(found: &Value, span: Span) -> Result<T> {
+pub fn not_text_error<T>(found: &Value, span: Span) -> Result<T> {
     let message = format!("expected a string, found {}", found.describe());
     Diagnostic::new(codes::WRONG_TYPE, span, message).help("`str(A, 0, 3)` makes text of a number").into()
 }

@@ -19,7 +19,7 @@ use crate::syntax::ast::Symbol;
 use crate::value::{Next, Thing, Value, downcast};
 pub(super) use assets::Assets;
 use constants::Constants;
-pub(super) use element::not_text;
+pub(super) use element::not_text_error;
 pub(super) use operators::{
     TOLERANCE, apply_prefix, as_float, as_vector, combine, component, component_index, divides_by_zero, numbers_of,
     vector_value,
@@ -107,7 +107,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns the symbol of a keyword that the scene also declared as a name.
-    pub(super) fn declared_symbol(&self, word: &str) -> Option<Symbol> {
+    pub(super) fn symbol_if_declared(&self, word: &str) -> Option<Symbol> {
         self.inputs.names.find(word).filter(|symbol| self.is_declared(*symbol))
     }
 
@@ -133,7 +133,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Adds the step to a loop's counter, which the body may have changed. Returns true if another pass follows.
-    pub(super) fn counter_continues_after_step(
+    pub(super) fn step_counter_and_continues(
         &mut self,
         counter: Symbol,
         last: f64,
@@ -176,7 +176,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns an empty list for the arguments of a macro call.
-    pub(super) fn take_spare_arguments(&mut self) -> Vec<Option<Slot<'a>>> {
+    pub(super) fn take_empty_argument_list(&mut self) -> Vec<Option<Slot<'a>>> {
         std::mem::take(&mut self.spare_arguments)
     }
 

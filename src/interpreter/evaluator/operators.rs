@@ -44,8 +44,8 @@ pub fn numbers_of(value: &Value) -> Option<VecN> {
     }
 }
 
-pub fn from_numbers(v: VecN, color: bool) -> Value {
-    if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
+pub fn from_numbers(v: VecN, is_color: bool) -> Value {
+    if is_color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
 }
 
 /// Applies a binary operator with POV-Ray's promotions. A number becomes a vector of equal components, and the shorter
@@ -53,9 +53,9 @@ pub fn from_numbers(v: VecN, color: bool) -> Value {
 pub fn combine(op: Operator, left: Value, right: Value, left_span: Span, right_span: Span) -> Result<Value> {
     use Operator::*;
     match (&left, &right) {
-        (Value::Float(a), Value::Float(b)) => Ok(Value::Float(on_floats(op, *a, *b))),
-        (Value::Text(a), Value::Text(b)) if op.compares() => {
-            Ok(Value::Float(on_floats(op, f64::from(a.cmp(b) as i8), 0.0)))
+        (Value::Float(a), Value::Float(b)) => Ok(Value::Float(apply_to_floats(op, *a, *b))),
+        (Value::Text(a), Value::Text(b)) if op.is_comparison() => {
+            Ok(Value::Float(apply_to_floats(op, f64::from(a.cmp(b) as i8), 0.0)))
         }
         _ if matches!(op, Add | Sub | Mul | Div) => {
             let wrong = |value: &Value, span| {
@@ -70,7 +70,7 @@ pub fn combine(op: Operator, left: Value, right: Value, left_span: Span, right_s
                 (None, _, left, _) if !matches!(left, Value::Float(_)) => return wrong(left, left_span),
                 _ => return wrong(&right, right_span),
             };
-            Ok(from_numbers(on_vectors(op, a, b), color))
+            Ok(from_numbers(apply_to_vectors(op, a, b), color))
         }
         (Value::Float(_), _) => wrong_comparison_error(op, &right, right_span),
         _ => wrong_comparison_error(op, &left, left_span),
@@ -82,7 +82,7 @@ pub fn wrong_comparison_error(op: Operator, value: &Value, span: Span) -> Result
     Diagnostic::err(codes::WRONG_TYPE, span, message)
 }
 
-pub fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
+pub fn apply_to_floats(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     let truth = |x: f64| x.abs() > TOLERANCE;
     match op {
@@ -104,10 +104,10 @@ pub fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
 }
 
 /// Applies an operator component by component; the shorter vector is padded with zeros.
-pub fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
+pub fn apply_to_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
     let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
     for i in 0..out.len as usize {
-        out.c[i] = on_floats(op, a.c[i], b.c[i]);
+        out.c[i] = apply_to_floats(op, a.c[i], b.c[i]);
     }
     out
 }

@@ -1,6 +1,6 @@
 //! Fast evaluation of expressions of numbers and vectors, without side effects and messages, which are the most common.
 
-use super::operators::{TOLERANCE, component_index, holds_zero, on_floats, on_vectors};
+use super::operators::{TOLERANCE, apply_to_floats, apply_to_vectors, component_index, holds_zero};
 use super::{Evaluator, Slot};
 use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
@@ -45,7 +45,7 @@ impl QuickValue for f64 {
 
     fn combined(self, op: Operator, right: f64) -> Option<Self> {
         let warns = op == Operator::Div && right == 0.0;
-        if warns { None } else { Some(on_floats(op, self, right)) }
+        if warns { None } else { Some(apply_to_floats(op, self, right)) }
     }
 
     fn prefixed(self, prefix: Prefix) -> Option<Self> {
@@ -71,13 +71,13 @@ impl QuickValue for Quick {
     fn combined(self, op: Operator, right: Quick) -> Option<Self> {
         let (a, b) = match (self, right) {
             (Quick::Float(a), Quick::Float(b)) => return a.combined(op, b).map(Quick::Float),
-            _ if !op.multiplies() && !op.adds() => return None,
+            _ if !op.is_multiplication_or_division() && !op.is_addition_or_subtraction() => return None,
             (Quick::Float(x), Quick::Vector(b)) => (VecN::splat(x, b.len), b),
             (Quick::Vector(a), Quick::Float(x)) => (a, VecN::splat(x, a.len)),
             (Quick::Vector(a), Quick::Vector(b)) => (a, b),
         };
         let warns = op == Operator::Div && holds_zero(&b);
-        if warns { None } else { Some(Quick::Vector(on_vectors(op, a, b))) }
+        if warns { None } else { Some(Quick::Vector(apply_to_vectors(op, a, b))) }
     }
 
     fn prefixed(self, prefix: Prefix) -> Option<Self> {

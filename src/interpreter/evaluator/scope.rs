@@ -137,7 +137,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    fn stack(&mut self, symbol: Symbol) -> &mut Vec<Binding<'a>> {
+    fn binding_stack(&mut self, symbol: Symbol) -> &mut Vec<Binding<'a>> {
         let index = symbol.0 as usize;
         if index >= self.bindings.len() {
             self.bindings.resize_with(index + 1, Vec::new);
@@ -183,14 +183,14 @@ impl<'a> Scopes<'a> {
     /// Binds a parameter at the level that was just entered. Of two parameters with one name, the last is bound.
     pub fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
         let level = self.level();
-        match self.stack(symbol).last_mut() {
+        match self.binding_stack(symbol).last_mut() {
             Some(binding) if binding.level == level => binding.slot = slot,
             _ => self.push(symbol, level, slot, vec![]),
         }
     }
 
     fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        self.stack(symbol).push(Binding { level, slot, pending: non_empty(pending) });
+        self.binding_stack(symbol).push(Binding { level, slot, pending: non_empty(pending) });
         // A binding is made at the innermost level or at the global one.
         if level > 0 {
             self.names.push(symbol);
@@ -261,10 +261,10 @@ impl<'a> Scopes<'a> {
     /// Binds a name at the innermost level, as `#local` and the parameters of a call do.
     pub fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let level = self.level();
-        if self.stack(symbol).last().is_none_or(|b| b.level != level) {
+        if self.binding_stack(symbol).last().is_none_or(|b| b.level != level) {
             return self.push(symbol, level, slot, pending);
         }
-        let own = self.stack(symbol).len() - 1;
+        let own = self.binding_stack(symbol).len() - 1;
         // If the target of a parameter's alias is gone, the parameter becomes a binding of its own.
         match self.resolve(symbol) {
             Some(lvalue) => self.replace(&lvalue, slot, pending),
@@ -280,7 +280,7 @@ impl<'a> Scopes<'a> {
                 let lvalue = LValue { symbol, depth, path: Some(path.clone()) };
                 self.set_element(&lvalue, Some(slot));
             }
-            None => match self.stack(symbol).len() {
+            None => match self.binding_stack(symbol).len() {
                 0 => self.push(symbol, 0, slot, pending),
                 n => self.rebind(symbol, n - 1, slot, pending),
             },
@@ -292,7 +292,7 @@ impl<'a> Scopes<'a> {
         if level == self.level() {
             return self.set_local(symbol, slot, pending);
         }
-        let stack = self.stack(symbol);
+        let stack = self.binding_stack(symbol);
         match stack.iter().position(|binding| binding.level >= level) {
             Some(depth) if stack[depth].level == level => self.rebind(symbol, depth, slot, pending),
             Some(depth) => {
@@ -331,7 +331,7 @@ impl<'a> Scopes<'a> {
 
     /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays.
     pub fn remove(&mut self, symbol: Symbol) -> bool {
-        let Some(binding) = self.stack(symbol).pop() else { return false };
+        let Some(binding) = self.binding_stack(symbol).pop() else { return false };
         self.forget_bound_name(symbol, binding.level);
         true
     }
@@ -355,7 +355,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// Returns the faults of failed declarations that the scene has not used.
-    pub fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
+    pub fn faults_of_unused_declarations(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
 }

@@ -23,7 +23,7 @@ pub struct Timing {
 
 impl Timing {
     /// Returns the value of one of the animation's constants.
-    pub(in crate::interpreter) fn constant(&self, name: &str) -> Option<f64> {
+    pub(in crate::interpreter) fn animation_constant(&self, name: &str) -> Option<f64> {
         Some(match name {
             "clock" => self.clock,
             "clock_on" => f64::from(self.clock_on),

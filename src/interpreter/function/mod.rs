@@ -296,7 +296,7 @@ impl<'a> Interpreter<'a> {
         {
             return Ok(c.graph.inline_graph(program.graph(), &ids));
         }
-        let one = |c: &mut Compiler, i: u8| c.graph.add_call(callee.clone(), i, ids.clone().into());
+        let one = |c: &mut Compiler, i: u8| c.graph.add_call_component(callee.clone(), i, ids.clone().into());
         Ok(match component {
             Component::Of(i) => one(c, i),
             Component::Weighted(weights) => {
@@ -443,7 +443,7 @@ fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, sp
     ids.extend(
         (0..c.parameters.len()).map(|i| c.graph.add_operation(Operation::Parameter(i as u16))).collect::<Vec<_>>(),
     );
-    Ok(c.graph.add_call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
+    Ok(c.graph.add_call_component(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
 }
 
 fn too_large_error<T>(span: Span) -> Result<T> {
@@ -464,7 +464,7 @@ pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Fu
         internal::SCENE_NOISE => Callee::SceneNoise(noise.clone()),
         _ => Callee::Internal(row),
     };
-    graph.result = graph.add_call(callee, 0, ids);
+    graph.result = graph.add_call_component(callee, 0, ids);
     let names =
         ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters.len()).map(|i| format!("P{i}").into()));
     let program = Program::new(graph, count)?;

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// Number of the scene's noise generator, which may still change during the run.
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
-fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
+fn context_without_surface(p: &[f64], noise: &SceneNoise) -> TextureContext {
     let generator = NoiseGenerator::from_generator_number(f64::from(noise.load(Ordering::Relaxed)));
     TextureContext::without_surface(DVec3::new(p[0], p[1], p[2]), generator)
 }
@@ -30,11 +30,11 @@ impl Sampler for PigmentSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        self.0.color_at(&ctx(p, &self.1)).to_array()
+        self.0.color_at(&context_without_surface(p, &self.1)).to_array()
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
-        self.0.color_bounds_near(&ctx(p, &self.1), radius)
+        self.0.color_bounds_near(&context_without_surface(p, &self.1), radius)
     }
 }
 
@@ -56,11 +56,11 @@ impl Sampler for PatternSampler {
     }
 
     fn sample_component(&self, component: usize, p: &[f64]) -> f64 {
-        if component == 0 { self.0.pattern_number_at(&ctx(p, &self.1)) } else { 0.0 }
+        if component == 0 { self.0.pattern_number_at(&context_without_surface(p, &self.1)) } else { 0.0 }
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
-        [self.0.bounds_near(&ctx(p, &self.1), radius); 5]
+        [self.0.bounds_near(&context_without_surface(p, &self.1), radius); 5]
     }
 }
 

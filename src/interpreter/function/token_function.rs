@@ -87,7 +87,7 @@ impl<'a> Interpreter<'a> {
                     Ok((id, joined_span_if_near(span, end)))
                 }
                 Token::Element(_) => {
-                    let slot = self.take_element()?;
+                    let slot = self.take_array_element()?;
                     let value = self.slot_value(slot, span)?;
                     if is_callable(&value) && self.call_follows()? {
                         return self.compile_call_by_tokens(c, &value, span);

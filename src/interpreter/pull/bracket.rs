@@ -102,7 +102,7 @@ impl<'a> Interpreter<'a> {
         });
         let result = read(self).and_then(|value| self.close(bracket.text()[1]).map(|()| value));
         result.map_err(|fault| {
-            let fault = self.stream.with_trace(*fault);
+            let fault = self.stream.with_call_trace(*fault);
             self.unwind(checkpoint);
             Box::new(fault)
         })

@@ -25,14 +25,14 @@ impl Interpreter<'_> {
             FrameKind::For { counter, last, step } => self
                 .reporter
                 .step(span)
-                .and_then(|()| self.evaluator.counter_continues_after_step(counter, last, step, span)),
+                .and_then(|()| self.evaluator.step_counter_and_continues(counter, last, step, span)),
             _ => Ok(false),
         };
         let again = match again {
             Ok(again) => again,
             Err(fault) => {
                 // A loop whose condition fails ends.
-                let fault = self.stream.with_trace(*fault);
+                let fault = self.stream.with_call_trace(*fault);
                 self.pop_frame();
                 return Err(Box::new(fault));
             }
@@ -73,7 +73,7 @@ impl Interpreter<'_> {
     /// If a macro gives a second value.
     pub fn run_rest_of_macros(&mut self, frame_count: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
-        self.stream.clear_look_ahead();
+        self.stream.clear_unless_pushed_back();
         while self.stream.frames().iter().skip(frame_count).any(in_macro) {
             let Some(frame) = self.stream.innermost() else { break };
             match frame.next() {

@@ -19,13 +19,13 @@ impl<'a> Interpreter<'a> {
                 }
                 _ => {
                     let lvalue = self.element_lvalue(base, indices)?;
-                    self.stream.set_element(lvalue);
+                    self.stream.set_array_element(lvalue);
                     Ok(Some(Token::Element(expr.span)))
                 }
             },
             ExprKind::Dot(..) => match self.dictionary_lvalue(expr)? {
                 Some(lvalue) => {
-                    self.stream.set_element(lvalue);
+                    self.stream.set_array_element(lvalue);
                     Ok(Some(Token::Element(expr.span)))
                 }
                 None => Ok(Some(Token::Expr(expr))),
@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
             _ => false,
         };
         match is_indexed {
-            true => self.read_element_token(symbol, expr).map(Some),
+            true => self.push_back_element_token(symbol, expr).map(Some),
             false => Ok(Some(Token::Expr(expr))),
         }
     }
@@ -74,13 +74,18 @@ impl<'a> Interpreter<'a> {
     /// Returns the token of a word: the start of a block, the name of a called function, or the word alone. A
     /// directive, a macro or the end of a body after the word is processed first, because the kind depends on the token
     /// after that.
-    pub(super) fn word_token(&mut self, word: &'static str, callee: bool, element: &'a Element) -> Result<Token<'a>> {
+    pub(super) fn word_token(
+        &mut self,
+        word: &'static str,
+        is_callable: bool,
+        element: &'a Element,
+    ) -> Result<Token<'a>> {
         let span = element.span;
         let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
         let alone = if word == "function" { Token::Function(None) } else { Token::Word(word) };
         let block = Token::Block(BlockName { word: Some(word), span, body: None });
         let next = frame.element_after_next().map(|e| &e.kind);
-        let callee = callee.then_some(Token::Callee(word));
+        let callee = is_callable.then_some(Token::Callee(word));
         let is_open = match next {
             _ if element.comma || word == "function" => false,
             Some(ElementKind::Group(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Brace))) => {

@@ -109,13 +109,13 @@ impl Interpreter<'_> {
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {
-            color.rgb = self.srgb_to_linear(color.rgb);
+            color.rgb = self.srgb_to_working_space(color.rgb);
         }
         Ok(color)
     }
 
     /// Converts an sRGB colour to the scene's working space.
-    fn srgb_to_linear(&self, c: Rgb) -> Rgb {
+    fn srgb_to_working_space(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
         match self.builder.language().assumed_gamma {
             Some(Gamma::Srgb) => c,

@@ -48,7 +48,7 @@ impl Interpreter<'_> {
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) =
-                    self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue)) =>
+                    self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue)) =>
             {
                 let slot = slot.clone();
                 return match self.slot_value(slot, span) {
@@ -134,7 +134,7 @@ impl Interpreter<'_> {
                 let block = opened.word.unwrap_or("block");
                 let message = format!("this `{block} {{` has no end");
                 let help = "its `}` must come in the same file, or from the macro that opens it";
-                self.stream.with_trace(Diagnostic::new(codes::UNCLOSED_BLOCK, opened.span, message).help(help))
+                self.stream.with_call_trace(Diagnostic::new(codes::UNCLOSED_BLOCK, opened.span, message).help(help))
             }
         }
     }

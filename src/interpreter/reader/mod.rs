@@ -9,7 +9,7 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::evaluator::{Slot, TOLERANCE, as_float, as_vector, not_text};
+use super::evaluator::{Slot, TOLERANCE, as_float, as_vector, not_text_error};
 use super::stream::Token;
 use super::{Interpreter, reporter::hints};
 use crate::color::Color;
@@ -34,7 +34,7 @@ impl<'a> Interpreter<'a> {
         let (value, span) = self.read_primary()?;
         match value {
             Value::Text(text) => Ok((text.to_string(), span)),
-            other => not_text(&other, span),
+            other => not_text_error(&other, span),
         }
     }
 
@@ -70,11 +70,12 @@ impl Reader for Interpreter<'_> {
                 }
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_kind_of_name(*symbol),
-            Token::Element(_) => match self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue))
-            {
-                Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
-                _ => Next::Value,
-            },
+            Token::Element(_) => {
+                match self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue)) {
+                    Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
+                    _ => Next::Value,
+                }
+            }
             Token::Function(_) => Next::Function,
             Token::Expr(_) | Token::Numbers(_) => Next::Value,
             Token::Callee(_) => Next::Value,
@@ -91,7 +92,7 @@ impl Reader for Interpreter<'_> {
     fn span(&mut self) -> Span {
         // This method cannot fail, so it reports a fault in a directive before the token.
         if let Err(fault) = self.peek() {
-            let fault = self.stream.with_trace(*fault);
+            let fault = self.stream.with_call_trace(*fault);
             self.reporter.report(fault);
         }
         self.stream.next_span()
@@ -122,7 +123,7 @@ impl Reader for Interpreter<'_> {
                 _ => None,
             },
             Token::Element(_) => {
-                let slot = self.take_element()?;
+                let slot = self.take_array_element()?;
                 Some(self.slot_value(slot, span)?)
             }
             _ => None,
@@ -171,7 +172,7 @@ impl Reader for Interpreter<'_> {
         Ok(DVec2::new(v.x, v.y))
     }
 
-    fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
+    fn numbers_in_angle_brackets(&mut self, n: usize) -> Result<Vec<f64>> {
         let token = self.peek()?;
         let span = self.stream.next_span();
         let data = match token {
@@ -210,7 +211,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn read_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
-        self.stream.take_inner_list_items(width, most, take)
+        self.stream.take_middle_list_items(width, most, take)
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
@@ -251,7 +252,7 @@ impl Reader for Interpreter<'_> {
         self.read_float_or_color()
     }
 
-    fn is_at_color(&mut self) -> Result<bool> {
+    fn may_be_at_color(&mut self) -> Result<bool> {
         Ok(match self.peek()? {
             Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
@@ -259,7 +260,7 @@ impl Reader for Interpreter<'_> {
                     && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue));
+                let slot = self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
@@ -320,7 +321,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
-        let diagnostic = self.stream.with_trace(diagnostic);
+        let diagnostic = self.stream.with_call_trace(diagnostic);
         self.reporter.report(diagnostic);
     }
 

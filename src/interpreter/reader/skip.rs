@@ -26,7 +26,7 @@ impl Interpreter<'_> {
             Token::Numbers(data) if data.len() > 5 || self.next_value_is_complete(false) => {
                 self.stream.advance();
                 // Items inside a literal list cannot be continued by what follows the list.
-                while self.stream.take_inner_list_item().is_some() {}
+                while self.stream.take_middle_list_item().is_some() {}
             }
             // `<a, b, … >` of a quartic has more components than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. })
@@ -42,7 +42,7 @@ impl Interpreter<'_> {
             }
             Token::Punctuation(Punctuation::Operator(Operator::Less)) => {
                 let (data, span) = self.read_vector_numbers()?;
-                if !self.value_ends()? {
+                if !self.no_token_continues_value()? {
                     self.continue_value(vector_value(&data, span)?, span)?;
                 }
             }

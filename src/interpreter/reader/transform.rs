@@ -35,7 +35,7 @@ impl Interpreter<'_> {
             "translate" => Transform::translate(self.vector()?),
             "rotate" => {
                 let angles = self.vector()?;
-                self.warn_all_axes(angles, span);
+                self.warn_rotation_about_all_axes(angles, span);
                 Transform::rotate(angles)
             }
             "scale" => {
@@ -49,7 +49,7 @@ impl Interpreter<'_> {
                 Transform::scale(mended).map_err(singular)?
             }
             _ => {
-                let m = self.numbers(12)?;
+                let m = self.numbers_in_angle_brackets(12)?;
                 let row = |i: usize| DVec3::new(m[3 * i], m[3 * i + 1], m[3 * i + 2]);
                 Transform::from_rows([row(0), row(1), row(2), row(3)]).map_err(singular)?
             }
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
 
     /// Reports the warning W0407 for `rotate 45`, which rotates around all axes. Computed angles, as from `rand`, and
     /// arguments of macros are likely intended.
-    fn warn_all_axes(&mut self, angles: DVec3, span: Span) {
+    fn warn_rotation_about_all_axes(&mut self, angles: DVec3, span: Span) {
         if angles.x.abs() < LARGEST_ANGLE_FOR_ALL_AXES || angles.x != angles.y || angles.y != angles.z {
             return;
         }

@@ -106,7 +106,7 @@ impl<'a> Reporter<'a> {
     }
 
     /// Returns the number of diagnostics so far, for [`Self::take_diagnostics_since`].
-    pub(super) fn position(&self) -> usize {
+    pub(super) fn diagnostic_count(&self) -> usize {
         self.diagnostics.len()
     }
 

@@ -149,7 +149,7 @@ impl SceneBuilder {
     }
 
     /// Adds the call trace of the object that was added last.
-    pub(super) fn add_object_trace(&mut self, trace: Vec<Label>) {
+    pub(super) fn add_object_call_trace(&mut self, trace: Vec<Label>) {
         self.origins.push(trace);
     }
 
@@ -169,7 +169,7 @@ impl SceneBuilder {
     }
 
     /// Returns the finished scene, and the call traces of its objects.
-    pub(super) fn into_scene_and_traces(self) -> (Scene, Vec<Vec<Label>>) {
+    pub(super) fn into_scene_and_call_traces(self) -> (Scene, Vec<Vec<Label>>) {
         (self.scene, self.origins)
     }
 }

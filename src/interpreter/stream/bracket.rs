@@ -117,12 +117,12 @@ impl<'a> TokenStream<'a> {
     /// Returns the error "this `{` is not closed" for the bracket at `span`, or the brace that probably lacks its end.
     pub fn unclosed_error_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
         if let Some(d) = self.blamed_brace_error(span).filter(|_| open == "{") {
-            return self.with_trace(d);
+            return self.with_call_trace(d);
         }
         let message = format!("this `{open}` is not closed");
         let d = Diagnostic::new(codes::UNCLOSED, span, message);
         let d = d.help(format!("add `{close}` where it should end"));
-        self.with_trace(d)
+        self.with_call_trace(d)
     }
 
     /// Returns the error for the brace whose `}` is missing, judged by the words of its block and the indentation.

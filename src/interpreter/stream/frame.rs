@@ -95,7 +95,7 @@ impl<'a> StackFrame<'a> {
     }
 
     /// Returns the next item of the list of literals at the read position.
-    pub fn list_numbers(&self, list: &'a NumberList) -> &'a [f64] {
+    pub fn next_list_item(&self, list: &'a NumberList) -> &'a [f64] {
         let (i, start) = self.item;
         &list.data[start..start + list.width(i)]
     }

@@ -128,7 +128,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Drops the look-ahead unless it was pushed back.
-    pub(super) fn clear_look_ahead(&mut self) {
+    pub(super) fn clear_unless_pushed_back(&mut self) {
         if self.pushed_back.is_empty() {
             self.look_ahead = None;
         }
@@ -150,15 +150,15 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Returns the location of the array element that the next token, a [`Token::Element`], represents.
-    pub(super) fn element(&self) -> Option<&LValue> {
+    pub(super) fn array_element(&self) -> Option<&LValue> {
         self.element.as_ref()
     }
 
-    pub(super) fn set_element(&mut self, element: LValue) {
+    pub(super) fn set_array_element(&mut self, element: LValue) {
         self.element = Some(element);
     }
 
-    pub(super) fn take_element(&mut self) -> Option<LValue> {
+    pub(super) fn take_array_element(&mut self) -> Option<LValue> {
         self.element.take()
     }
 
@@ -270,7 +270,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Consumes and returns the next item of a list of literals, unless it is the first or the last item of the list.
-    pub(super) fn take_inner_list_item(&mut self) -> Option<&'a [f64]> {
+    pub(super) fn take_middle_list_item(&mut self) -> Option<&'a [f64]> {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return None;
         }
@@ -285,12 +285,12 @@ impl<'a> TokenStream<'a> {
         Some(&list.data[start..end])
     }
 
-    /// Consumes up to `most` items of a list of literals, neither the first nor the last one, while each has `width`
+    /// Consumes up to `max_count` items of a list of literals, neither the first nor the last one, while each has `width`
     /// numbers and `take` accepts them. Returns the number of items consumed.
-    pub(super) fn take_inner_list_items(
+    pub(super) fn take_middle_list_items(
         &mut self,
         width: usize,
-        most: usize,
+        max_count: usize,
         take: &mut dyn FnMut(&[f64]) -> bool,
     ) -> usize {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
@@ -299,7 +299,7 @@ impl<'a> TokenStream<'a> {
         let Some(frame) = self.frames.last_mut() else { return 0 };
         let Some(Element { kind: ElementKind::Numbers(list), .. }) = frame.elements.get(frame.at) else { return 0 };
         let (first, mut at) = frame.item;
-        let end = if first == 0 { 0 } else { (list.len() - 1).min(first.saturating_add(most)) };
+        let end = if first == 0 { 0 } else { (list.len() - 1).min(first.saturating_add(max_count)) };
         let mut i = first;
         while i < end && list.width(i) == width && take(&list.data[at..at + width]) {
             (i, at) = (i + 1, at + width);
@@ -333,16 +333,16 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Adds the call trace to a diagnostic that has none.
-    pub(super) fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
+    pub(super) fn with_call_trace(&self, mut d: Diagnostic) -> Diagnostic {
         if d.trace.is_empty() {
-            d.trace = self.trace().into();
+            d.trace = self.call_trace().into();
         }
         d
     }
 
     /// Returns the macro calls and includes around the read position, innermost first; of a deep recursion the first
     /// six and the last four.
-    pub(super) fn trace(&self) -> Vec<Label> {
+    pub(super) fn call_trace(&self) -> Vec<Label> {
         let label = |frame: &StackFrame| match frame.kind() {
             FrameKind::Macro(name) => {
                 let text = format!("in macro `{}`, called", self.inputs.names.text(name));

@@ -100,7 +100,9 @@ impl<'a> Interpreter<'a> {
         }
         loop {
             return Ok(match self.peek_after_value()? {
-                Some(Token::Punctuation(Punctuation::Operator(op))) if compares || op.adds() || op.multiplies() => {
+                Some(Token::Punctuation(Punctuation::Operator(op)))
+                    if compares || op.is_addition_or_subtraction() || op.is_multiplication_or_division() =>
+                {
                     Some(op)
                 }
                 Some(Token::Expr(e)) if begins_with_sign(e) => {
@@ -162,7 +164,7 @@ impl<'a> Interpreter<'a> {
                 Ok((numbers_value(data, span)?, span))
             }
             Token::Element(_) => {
-                let slot = self.take_element()?;
+                let slot = self.take_array_element()?;
                 Ok((self.slot_value(slot, span)?, span))
             }
             Token::Punctuation(Punctuation::Operator(Operator::Less)) => self.read_vector(),
@@ -184,7 +186,7 @@ impl<'a> Interpreter<'a> {
                 Ok((Value::Color(color), span))
             }
             // One of durer's own words may also be a declared name: `camera { eye eye }`.
-            Token::Word(word) if let Some(symbol) = self.evaluator.declared_symbol(word) => {
+            Token::Word(word) if let Some(symbol) = self.evaluator.symbol_if_declared(word) => {
                 self.stream.advance();
                 Ok((self.evaluate_name(symbol, span)?, span))
             }
@@ -268,7 +270,7 @@ impl<'a> Interpreter<'a> {
                 }
                 // A colour is a value, although no vector can hold one.
                 Token::Word(word)
-                    if !super::reader::begins_color(word) && self.evaluator.declared_symbol(word).is_none() =>
+                    if !super::reader::begins_color(word) && self.evaluator.symbol_if_declared(word).is_none() =>
                 {
                     return Err(self.unclosed_vector_error(start).into());
                 }

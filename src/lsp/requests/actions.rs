@@ -143,18 +143,18 @@ fn replace_statement(
     begins.then(|| (format!("Write `{wanted}`"), vec![edit]))
 }
 
-fn line_end(document: &Document) -> &'static str {
+fn line_ending(document: &Document) -> &'static str {
     if document.text.as_str().contains("\r\n") { "\r\n" } else { "\n" }
 }
 
-fn line_end_if_missing(document: &Document) -> &'static str {
-    if document.text.as_str().ends_with(['\n', '\r']) { "" } else { line_end(document) }
+fn line_ending_if_missing(document: &Document) -> &'static str {
+    if document.text.as_str().ends_with(['\n', '\r']) { "" } else { line_ending(document) }
 }
 
 /// Returns the byte offset of the first line of the scene that is no comment, `#version` or `#include`.
 fn first_scene_line_offset(document: &Document) -> usize {
     let (text, outline) = (&document.text, &document.outline);
-    let is_head = |token: &&Token| matches!(outline.directive(token), "version" | "include");
+    let is_head = |token: &&Token| matches!(outline.directive_word(token), "version" | "include");
     let directives = outline.tokens.iter().filter(is_head).map(|token| token.range.start);
     let heads = directives.chain(outline.comments.iter().map(|comment| comment.start));
     let lines: HashSet<u32> = heads.map(|start| text.position(start).line).collect();
@@ -172,11 +172,14 @@ fn insert_missing(document: &Document, help: &str) -> Option<(String, Vec<TextEd
         vec![TextEdit { range: Range::new(at, at), new_text }]
     };
     if let Some((closer, _)) = help.strip_prefix("add `").and_then(|rest| rest.split_once("` where it should end")) {
-        let edit = insert(text.as_str().len(), format!("{}{closer}", line_end_if_missing(document)));
+        let edit = insert(text.as_str().len(), format!("{}{closer}", line_ending_if_missing(document)));
         return Some((format!("Add `{closer}` at the end"), edit));
     }
     let camera = help.strip_prefix('`')?.strip_suffix('`').filter(|code| code.starts_with("camera {"))?;
-    Some(("Add a camera".into(), insert(first_scene_line_offset(document), format!("{camera}{}", line_end(document)))))
+    Some((
+        "Add a camera".into(),
+        insert(first_scene_line_offset(document), format!("{camera}{}", line_ending(document))),
+    ))
 }
 
 /// Inserts a missing `;` at the related position of the diagnostic.
@@ -194,7 +197,7 @@ pub fn insert_include(document: &Document, file: &str) -> TextEdit {
     let last = outline.pairs.iter().find(|pair| pair.bracket != b'<');
     let last = last.map_or(all.len(), |pair| pair.range.start);
     let include = outline.includes.iter().rev().map(|include| include.end).find(|end| *end < last);
-    let is_version = |token: &&Token| outline.directive(token) == "version";
+    let is_version = |token: &&Token| outline.directive_word(token) == "version";
     let version = || outline.tokens.iter().find(is_version).map(|token| token.range.end);
     let comment = || {
         let first = outline.tokens.first().map_or(all.len(), |token| token.range.start);
@@ -202,7 +205,7 @@ pub fn insert_include(document: &Document, file: &str) -> TextEdit {
         last.map(|comment| all[..comment.end].trim_end().len())
     };
     let line = include.or_else(version).or_else(comment).map_or(0, |end| text.position(end).line + 1);
-    let end = line_end(document);
+    let end = line_ending(document);
     let missing = line as usize >= text.line_count();
     let at = if missing { text.position(all.len()) } else { lsp_types::Position::new(line, 0) };
     let new_text = if missing { format!("{end}#include \"{file}\"{end}") } else { format!("#include \"{file}\"{end}") };

@@ -43,7 +43,7 @@ pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams)
         RENDER => render(Path::new(argument), server.events.clone()),
         WATCH => open_watch_page(server, Path::new(argument)),
         EXPLAIN => {
-            let found = codes::find(argument)?;
+            let found = codes::find_explanation(argument)?;
             server
                 .client
                 .send(show_message(MessageType::INFO, format!("{}: {}\n\n{}", found.code, found.title, found.text)));

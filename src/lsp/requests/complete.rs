@@ -74,7 +74,7 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     }
     let colors = interpreter::COLOR_WORDS.iter().map(item_of_word);
     out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
-    out.extend(names(reached, outline.macro_pair_at(offset)));
+    out.extend(visible_names(reached, outline.macro_pair_at(offset)));
     if typed.len() >= MIN_LETTERS {
         out.extend(library_completions(document, &out, typed));
     }
@@ -127,16 +127,18 @@ fn directives() -> Vec<CompletionItem> {
         .collect()
 }
 
-/// Returns completions for the declared names that are visible in the macro `within` of the first text, or outside of
+/// Returns completions for the declared names that are visible in the macro `within_macro` of the first text, or outside of
 /// macros.
-fn names(reached: &[ReachableText], within: Option<usize>) -> Vec<CompletionItem> {
+fn visible_names(reached: &[ReachableText], within_macro: Option<usize>) -> Vec<CompletionItem> {
     let mut out: Vec<CompletionItem> = vec![];
     let mut seen = std::collections::HashSet::new();
     for (i, one) in reached.iter().enumerate() {
         let is_seen = |d: &&Declaration| match d.kind {
             DeclarationKind::Declare | DeclarationKind::Macro => true,
-            DeclarationKind::Counter | DeclarationKind::Local => i == 0 && (d.scope.is_none() || d.scope == within),
-            DeclarationKind::Parameter => i == 0 && d.scope == within,
+            DeclarationKind::Counter | DeclarationKind::Local => {
+                i == 0 && (d.scope.is_none() || d.scope == within_macro)
+            }
+            DeclarationKind::Parameter => i == 0 && d.scope == within_macro,
         };
         for d in one.outline.declarations.iter().filter(is_seen) {
             if !seen.insert(d.name.as_str()) {

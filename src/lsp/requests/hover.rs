@@ -24,7 +24,7 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
     let token = outline.token_at(offset)?;
     let text = outline.slice(&token.range);
     let value = match token.kind {
-        TokenKind::Directive => words::directive_usage_and_summary(outline.directive(token))
+        TokenKind::Directive => words::directive_usage_and_summary(outline.directive_word(token))
             .map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
         TokenKind::Word(_) => word_explanation(text, words::block_at(outline, offset)),
         TokenKind::Name => {
@@ -49,35 +49,37 @@ fn word_explanation(word: &str, block: &str) -> Option<String> {
 fn declaration_and_position(
     related: &[ReachableText],
     name: &str,
-    scope: Option<usize>,
-    own: Option<usize>,
+    declaring_macro: Option<usize>,
+    own_index: Option<usize>,
 ) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.outline.declarations.iter().map(move |d| (i, one, d)));
     let fits = |(i, one, d): &(usize, &ReachableText, &Declaration)| {
-        d.name == name && one.outline.declaring_macro(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
+        d.name == name
+            && one.outline.declaring_macro(name, d.scope) == declaring_macro
+            && (declaring_macro.is_none() || Some(*i) == own_index)
     };
     let found: Vec<_> = all.filter(fits).collect();
-    let (_, one, d) = found.iter().find(|(i, ..)| Some(*i) == own).or(found.first())?;
+    let (_, one, d) = found.iter().find(|(i, ..)| Some(*i) == own_index).or(found.first())?;
     let place = one.path.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
     let line = one.text.position(d.range.start).line + 1;
     let place = place.map(|file| format!("{file}, line {line}")).unwrap_or(format!("line {line}"));
     let text = one.text.as_str();
     let code = match d.kind {
         DeclarationKind::Macro => {
-            let about = comment_before(one, d.whole.start);
+            let about = comment_above_line(one, d.whole.start);
             let parameters = complete::parameters(one, d).unwrap_or_default();
             format!("{about}#macro {}({})", d.name, parameters.join(", "))
         }
         DeclarationKind::Parameter => format!("{name}: a parameter"),
-        _ => format!("{}{}", comment_before(one, d.whole.start), shortened_declaration(&text[d.whole.start..])),
+        _ => format!("{}{}", comment_above_line(one, d.whole.start), shortened_declaration(&text[d.whole.start..])),
     };
     let more = if found.len() > 1 { format!("; declared {} times", found.len()) } else { String::new() };
     Some(format!("```pov\n{code}\n```\n{place}{more}"))
 }
 
 /// Returns the comments directly above a line of the scene.
-fn comment_before(one: &ReachableText, at: usize) -> String {
-    let before = &one.text.as_str()[..one.outline.line_at(at).start];
+fn comment_above_line(one: &ReachableText, byte_in_line: usize) -> String {
+    let before = &one.text.as_str()[..one.outline.line_at(byte_in_line).start];
     let mut lines: Vec<&str> =
         before.lines().rev().take_while(|line| line.trim_start().starts_with("//")).take(MAX_LINES).collect();
     lines.reverse();

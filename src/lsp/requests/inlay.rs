@@ -33,7 +33,7 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
                 let name: String = name.chars().take(40).collect();
                 out.push(hint(end, name, true, false));
             }
-        } else if pair.bracket == b'(' && !is_definition(outline, pair) {
+        } else if pair.bracket == b'(' && !is_macro_definition(outline, pair) {
             let Some(names) = parameters.get(outline.head(pair)) else { continue };
             for (name, at) in names.iter().zip(argument_offsets(outline, pair)) {
                 let argument = &text.as_str()[at..];
@@ -47,7 +47,7 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
     Some(out)
 }
 
-fn is_definition(outline: &Outline, pair: &Pair) -> bool {
+fn is_macro_definition(outline: &Outline, pair: &Pair) -> bool {
     outline.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.range == pair.head)
 }
 

@@ -38,7 +38,7 @@ fn edits(document: &Document) -> Option<Vec<TextEdit>> {
             (i, j) = (i + 1, j + 1);
             continue;
         }
-        let (k, l) = next_equal(&a, &b, i, j);
+        let (k, l) = next_equal_lines(&a, &b, i, j);
         let start = Position::new(i as u32, 0);
         let end = if k < a.len() { Position::new(k as u32, 0) } else { document.text.position(old.len()) };
         out.push(TextEdit { range: Range::new(start, end), new_text: b[j..l].concat() });
@@ -48,7 +48,7 @@ fn edits(document: &Document) -> Option<Vec<TextEdit>> {
 }
 
 /// The nearest pair of equal lines after a difference.
-fn next_equal(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
+fn next_equal_lines(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
     const MAX_DISTANCE: usize = 60;
     for apart in 1..MAX_DISTANCE {
         for k in 0..=apart {

@@ -56,7 +56,7 @@ fn symbol(
     name: &str,
     kind: SymbolKind,
     whole: std::ops::Range<usize>,
-    at: std::ops::Range<usize>,
+    name_range: std::ops::Range<usize>,
 ) -> DocumentSymbol {
     DocumentSymbol {
         name: name.to_string(),
@@ -65,7 +65,7 @@ fn symbol(
         tags: None,
         deprecated: None,
         range: document.text.range(whole),
-        selection_range: document.text.range(at),
+        selection_range: document.text.range(name_range),
         children: None,
     }
 }

@@ -97,7 +97,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
             let root = build.build_subtree(0..build.prims.len(), &around, LEVELS);
-            build.bvh.nodes.reserve_exact(build.count_nodes(root.number));
+            build.bvh.nodes.reserve_exact(build.count_wide_nodes(root.number));
             build.bvh.nodes.push(Wide::EMPTY);
             build.items.reserve_exact(root.items as usize);
             build.fill_node(0, root.number);
@@ -162,18 +162,18 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 
     /// Returns the number of wide nodes of a subtree. (A list of nodes that grows would need three times their memory for a moment.)
-    fn count_nodes(&self, binary_node: u32) -> usize {
+    fn count_wide_nodes(&self, binary_node: u32) -> usize {
         let is_node = |&child: &u32| !self.binary_nodes[child as usize].is_leaf;
         1 + self
-            .children_of(binary_node)
+            .wide_children_of(binary_node)
             .into_iter()
             .filter(is_node)
-            .map(|child| self.count_nodes(child))
+            .map(|child| self.count_wide_nodes(child))
             .sum::<usize>()
     }
 
     /// Returns the children of the wide node that a node of the binary tree becomes.
-    fn children_of(&self, binary_node: u32) -> SmallVec<[u32; WIDTH]> {
+    fn wide_children_of(&self, binary_node: u32) -> SmallVec<[u32; WIDTH]> {
         let mut children = SmallVec::new();
         match self.binary_nodes[binary_node as usize].is_leaf {
             true => children.push(binary_node),
@@ -186,7 +186,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     fn fill_node(&mut self, node: usize, binary_node: u32) -> Around {
         let mut all = Around::EMPTY;
         let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
-        for (slot, number) in self.children_of(binary_node).into_iter().enumerate() {
+        for (slot, number) in self.wide_children_of(binary_node).into_iter().enumerate() {
             let BinaryNode { is_leaf, items, .. } = self.binary_nodes[number as usize];
             if is_leaf {
                 let mut around = Around::EMPTY;
@@ -239,9 +239,9 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
 
 /// Partitions the boxes of a BVH's subtree into two non-empty groups at the cheapest plane; returns the start of the
 /// second group and the bounds of both.
-fn split_boxes(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
+fn split_boxes(prims: &mut [Prim], around: &Around, force_halving: bool) -> (usize, [Around; 2]) {
     let cut = match prims.len() {
-        _ if halve => None,
+        _ if force_halving => None,
         0..=32 => Cut::find_cheapest_cut::<6>(prims, around),
         _ => Cut::find_cheapest_cut::<16>(prims, around),
     };

@@ -171,7 +171,7 @@ fn nearest_child(
     mut mask: u32,
     near: &[f32; WIDTH],
     stack: &mut [Entry; STACK],
-    open: usize,
+    stack_length: usize,
 ) -> (Child, usize) {
     let mut take = || {
         let slot = mask.trailing_zeros() as usize & (WIDTH - 1);
@@ -180,9 +180,9 @@ fn nearest_child(
     };
     let (mut first, more) = take();
     if !more {
-        return (first.child, open);
+        return (first.child, stack_length);
     }
-    let mut end = open;
+    let mut end = stack_length;
     loop {
         let (mut entry, more) = take();
         if entry.near < first.near {
@@ -190,7 +190,7 @@ fn nearest_child(
         }
         // Insertion sort: at most seven entries, usually one.
         let mut at = end;
-        while at > open && stack[at - 1].near < entry.near {
+        while at > stack_length && stack[at - 1].near < entry.near {
             stack[at] = stack[at - 1];
             at -= 1;
         }

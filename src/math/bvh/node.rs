@@ -82,9 +82,9 @@ pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH])
 }
 
 #[inline]
-fn half_slabs(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
+fn half_slabs(node: &Wide, ray: &FlatRay, max: f32, which_half: usize) -> (u32, [f32; 4]) {
     let at = |side: usize, axis: usize, origin: f32, inverse: f32| {
-        (node.planes[side & 1][axis][which] - Vec4::splat(origin)) * Vec4::splat(inverse)
+        (node.planes[side & 1][axis][which_half] - Vec4::splat(origin)) * Vec4::splat(inverse)
     };
     let enter = |axis: usize| at(ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
     let leave = |axis: usize| at(ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);

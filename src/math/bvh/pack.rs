@@ -62,7 +62,7 @@ impl Pack {
     /// Returns index, t, and the barycentric weights of the second and third corner of a triangle that the ray hits,
     /// and removes the triangle from `found`.
     #[inline(always)]
-    pub fn next_hit(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
+    pub fn take_next_hit(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
         while found.mask != 0 {
             let i = found.mask.trailing_zeros() as usize % HALF;
             found.mask &= found.mask - 1;

@@ -24,7 +24,7 @@ macro_rules! meet {
             let pack = &$all.packs[pack];
             for half in pack.used_halves() {
                 let mut found = $areas(pack, &line, half);
-                while let Some((number, t, uv)) = pack.next_hit(&line, half, &mut found) {
+                while let Some((number, t, uv)) = pack.take_next_hit(&line, half, &mut found) {
                     if t > $range.min && t < max {
                         max = match $visit(number, t, uv) {
                             ControlFlow::Continue(max) => max,

@@ -102,22 +102,27 @@ pub fn atanh(x: f64) -> f64 {
     (0.5 * ln_of_pair(Pair::sum(1.0, a).over(Pair::sum(1.0, -a)))).copysign(x)
 }
 
-/// Returns sinh(x)/x - 1 by its Taylor series; the argument z is x².
-fn sinh_ratio_minus_one(z: f64) -> f64 {
-    let inner = 1.0 + z * (1.0 / 72.0) * (1.0 + z * (1.0 / 110.0) * (1.0 + z * (1.0 / 156.0)));
-    z * (1.0 / 6.0) * (1.0 + z * 0.05 * (1.0 + z * (1.0 / 42.0) * inner))
+/// Returns sinh(x)/x - 1 by its Taylor series; the argument is x².
+fn sinh_ratio_minus_one(x_squared: f64) -> f64 {
+    let inner = 1.0 + x_squared * (1.0 / 72.0) * (1.0 + x_squared * (1.0 / 110.0) * (1.0 + x_squared * (1.0 / 156.0)));
+    x_squared * (1.0 / 6.0) * (1.0 + x_squared * 0.05 * (1.0 + x_squared * (1.0 / 42.0) * inner))
 }
 
-/// Returns cosh(x) - 1 by its Taylor series; the argument z is x².
-fn cosh_minus_one(z: f64) -> f64 {
-    let inner = 1.0 + z * (1.0 / 90.0) * (1.0 + z * (1.0 / 132.0) * (1.0 + z * (1.0 / 182.0)));
-    z * 0.5 * (1.0 + z * (1.0 / 12.0) * (1.0 + z * (1.0 / 30.0) * (1.0 + z * (1.0 / 56.0) * inner)))
+/// Returns cosh(x) - 1 by its Taylor series; the argument is x².
+fn cosh_minus_one(x_squared: f64) -> f64 {
+    let inner = 1.0 + x_squared * (1.0 / 90.0) * (1.0 + x_squared * (1.0 / 132.0) * (1.0 + x_squared * (1.0 / 182.0)));
+    x_squared
+        * 0.5
+        * (1.0 + x_squared * (1.0 / 12.0) * (1.0 + x_squared * (1.0 / 30.0) * (1.0 + x_squared * (1.0 / 56.0) * inner)))
 }
 
-/// Returns asinh(x)/x - 1 by its Taylor series; the argument z is x².
-fn asinh_ratio_minus_one(z: f64) -> f64 {
-    let inner = -63.0 / 2816.0 + z * (231.0 / 13312.0 + z * (-143.0 / 10240.0 + z * (6435.0 / 557_056.0)));
-    z * (-1.0 / 6.0 + z * (0.075 + z * (-5.0 / 112.0 + z * (35.0 / 1152.0 + z * inner))))
+/// Returns asinh(x)/x - 1 by its Taylor series; the argument is x².
+fn asinh_ratio_minus_one(x_squared: f64) -> f64 {
+    let inner = -63.0 / 2816.0
+        + x_squared * (231.0 / 13312.0 + x_squared * (-143.0 / 10240.0 + x_squared * (6435.0 / 557_056.0)));
+    x_squared
+        * (-1.0 / 6.0
+            + x_squared * (0.075 + x_squared * (-5.0 / 112.0 + x_squared * (35.0 / 1152.0 + x_squared * inner))))
 }
 
 /// Returns the natural logarithm of a pair: ln(h + l) = ln h + l/h, where l is far below a unit of h.

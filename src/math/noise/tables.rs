@@ -15,7 +15,7 @@ impl Random {
 }
 
 /// Hash table of noise generators 1 and 2: a permutation of 0 to 4095.
-pub static HASH: [u16; 4096] = hash_table();
+pub static HASH: [u16; 4096] = shuffled_indices();
 
 /// Row of a table of noise: four numbers with the alignment for one load; without it, compilers use two.
 #[derive(Clone, Copy)]
@@ -32,7 +32,7 @@ pub static PERMUTATION: [u16; 2048] = FOR_PERLIN.1;
 pub static GRADIENTS: [[f64; 3]; 2049] = FOR_PERLIN.0;
 
 /// Shuffles 0 to 4095: from the last entry to the first, each is exchanged with any other.
-const fn hash_table() -> [u16; 4096] {
+const fn shuffled_indices() -> [u16; 4096] {
     let (mut table, mut i) = ([0; 4096], 0);
     while i < 4096 {
         table[i] = i as u16;

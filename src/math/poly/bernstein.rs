@@ -201,19 +201,19 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
             found(b0 / (b0 - b1));
         }
         [b0, b1, b2] => {
-            let _ = quadratic_roots(b0, b1, b2).into_iter().flatten().any(found);
+            let _ = bernstein_quadratic_roots(b0, b1, b2).into_iter().flatten().any(found);
         }
-        [_, _, _, _] => padded_roots::<4>(b, found),
-        [_, _, _, _, _] => padded_roots::<5>(b, found),
-        [_, _, _, _, _, _] => padded_roots::<6>(b, found),
-        [_, _, _, _, _, _, _] => padded_roots::<7>(b, found),
-        [_, _, _, _, _, _, _, _] => padded_roots::<8>(b, found),
-        _ => padded_roots::<12>(b, found),
+        [_, _, _, _] => roots_of_zero_padded::<4>(b, found),
+        [_, _, _, _, _] => roots_of_zero_padded::<5>(b, found),
+        [_, _, _, _, _, _] => roots_of_zero_padded::<6>(b, found),
+        [_, _, _, _, _, _, _] => roots_of_zero_padded::<7>(b, found),
+        [_, _, _, _, _, _, _, _] => roots_of_zero_padded::<8>(b, found),
+        _ => roots_of_zero_padded::<12>(b, found),
     }
 }
 
 /// Returns the roots in [0, 1] of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
-fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
+fn bernstein_quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     // t/(1 - t) is a root of b₂u² + 2b₁u + b₀.
     let discriminant = b1 * b1 - b0 * b2;
     let q = -(b1 + discriminant.max(0.0).sqrt().copysign(b1));
@@ -231,7 +231,7 @@ fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     [Some(t1.min(t2)), Some(t1.max(t2))]
 }
 
-fn padded_roots<const N: usize>(b: &[f64], found: Found) {
+fn roots_of_zero_padded<const N: usize>(b: &[f64], found: Found) {
     let mut padded = [0.0; N];
     padded[..b.len()].copy_from_slice(b);
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
@@ -242,7 +242,7 @@ fn padded_roots<const N: usize>(b: &[f64], found: Found) {
 
 /// Finds the roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
 /// ascending; a double root, unless rounding hides it, counts twice. `found` receives each root; true ends the search.
-pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
+pub fn polynomial_roots_between(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
     let mut report_root = |x: f64| x >= lo && x <= hi && found(x);
     match *c {
@@ -361,7 +361,7 @@ mod tests {
     /// All roots as a list.
     fn all_on_line(c: &[f64], lo: f64, hi: f64) -> Roots {
         let mut all = Roots::new();
-        roots_on_line(c, lo, hi, &mut |x| {
+        polynomial_roots_between(c, lo, hi, &mut |x| {
             all.push(x);
             false
         });
@@ -402,7 +402,7 @@ mod tests {
         close(&all_on_line(&c, -1.0, 3.0), &[-0.5, 0.25, 2.0]);
         close(&all_on_line(&c, 3.0, f64::INFINITY), &[9.0]);
         let mut first = Roots::new();
-        roots_on_line(&c, 0.0, 20.0, &mut |x| {
+        polynomial_roots_between(&c, 0.0, 20.0, &mut |x| {
             first.push(x);
             true
         });

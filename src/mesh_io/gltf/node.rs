@@ -6,9 +6,14 @@ use super::document::{Document, Node, Primitive};
 use crate::math::{DVec2, DVec3, Transform};
 use glam::{DAffine3, DMat4, DQuat};
 
-/// Appends the triangles of a glTF file's default scene, or of all nodes if there is no scene. `file_bytes` is the total size
+/// Appends the triangles of a glTF file's default scene, or of all nodes if there is no scene. `total_file_bytes` is the total size
 /// of all files, in bytes.
-pub fn read_nodes(document: &Document, buffers: &[Vec<u8>], file_bytes: usize, out: &mut MeshFile) -> ReadResult<()> {
+pub fn read_nodes(
+    document: &Document,
+    buffers: &[Vec<u8>],
+    total_file_bytes: usize,
+    out: &mut MeshFile,
+) -> ReadResult<()> {
     let mut is_child = vec![false; document.nodes.len()];
     for child in document.nodes.iter().flat_map(|node| &node.children) {
         match is_child.get_mut(*child) {
@@ -39,7 +44,7 @@ pub fn read_nodes(document: &Document, buffers: &[Vec<u8>], file_bytes: usize, o
             read_primitive(document, buffers, primitive, &place, out).map_err(|why| format!("node {number}: {why}"))?;
         }
         let count = out.triangles.corners.len().max(out.triangles.vertices.len());
-        if count > file_bytes.max(MANY) {
+        if count > total_file_bytes.max(MANY) {
             return Err(format!(
                 "node {number}: its nodes name the same meshes so often that there are more than {MANY} triangles"
             ));

@@ -126,7 +126,7 @@ impl Mapping {
             PixelInterpolation::Distance => {
                 // Lower left of the four pixels; a point level with the centres takes those and the next.
                 let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
-                pixels_weighted_by_distance(left as i64, above as i64, a - left, b - above, size)
+                inverse_square_weighted_pixels(left as i64, above as i64, a - left, b - above, size)
             }
         }
     }
@@ -168,7 +168,7 @@ fn catmull_rom_weight(d: f64) -> f64 {
 }
 
 /// Returns four pixels of a bitmap, weighted by the inverse squares of their distances.
-fn pixels_weighted_by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
+fn inverse_square_weighted_pixels(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
         let (dx, dy) = (s - f64::from(x), t - f64::from(y));

@@ -117,8 +117,8 @@ impl ImagePattern {
 
 impl ImagePattern {
     /// Returns the interpolated number at a position on the bitmap.
-    fn interpolated_value(&self, place: (f64, f64)) -> f64 {
-        let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
+    fn interpolated_value(&self, uv: (f64, f64)) -> f64 {
+        let pixels = self.mapping.weighted_pixels(uv, self.texels.width(), self.texels.height());
         let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.pixel_value(*i, channel)).sum::<f64>();
         match self.channel {
             // quirk: palette_index_truncated

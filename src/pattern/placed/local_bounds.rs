@@ -30,7 +30,7 @@ impl Modifiers {
         match start {
             Some(0.0) => self.wave.bounds_of_wave_over(shifted),
             Some(start) if lo - start >= 0.0 => self.wave.bounds_of_wave_over(LocalBounds {
-                range: Interval { lo: lo - start, hi: hi - start }.widened(),
+                range: Interval { lo: lo - start, hi: hi - start }.widened_by_rounding(),
                 ..shifted
             }),
             _ => LocalBounds::UNKNOWN,
@@ -42,8 +42,11 @@ impl Wave {
     /// Returns local bounds of a wave over numbers within one period.
     fn bounds_of_wave_over(self, v: LocalBounds) -> LocalBounds {
         let Interval { lo, hi } = v.range;
-        let chain =
-            |range: Interval, factor: f64| LocalBounds { range: range.widened(), steepest: v.steepest * factor, ..v };
+        let chain = |range: Interval, factor: f64| LocalBounds {
+            range: range.widened_by_rounding(),
+            steepest: v.steepest * factor,
+            ..v
+        };
         match self {
             Wave::Ramp => v,
             _ if !(lo >= 0.0 && hi <= 1.0) => LocalBounds::UNKNOWN,

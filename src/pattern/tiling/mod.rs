@@ -112,10 +112,10 @@ impl Plan {
     }
 
     /// Adds a regular polygon with sides of length 1 to the tiling, around a centre; one of its corners is in the
-    /// direction of `angle`.
-    fn with_regular_polygon(self, kind: usize, corners: u32, center: DVec2, angle: f64) -> Self {
+    /// direction of `degrees`.
+    fn with_regular_polygon(self, kind: usize, corners: u32, center: DVec2, degrees: f64) -> Self {
         let radius = 0.5 / fp::sin(std::f64::consts::PI / f64::from(corners));
-        let corner = |i| center + radius * unit_vector_at(angle + 360.0 * f64::from(i) / f64::from(corners));
+        let corner = |i| center + radius * unit_vector_at(degrees + 360.0 * f64::from(i) / f64::from(corners));
         self.with_polygon(kind, &(0..corners).map(corner).collect::<Vec<_>>())
     }
 
@@ -202,32 +202,37 @@ impl Plan {
     }
 
     /// Returns a tiling of squares in mitred frames of four boards.
-    fn frame_tiling(kinds: usize, kind: [usize; 5]) -> Self {
+    fn frame_tiling(kind_count: usize, kind_of_tile: [usize; 5]) -> Self {
         let s = FRAC_1_SQRT_2;
         let board = |corners: [(f64, f64); 4]| to_points(&corners.map(|(x, z)| (x * s, z * s)));
-        Self::new([(4.0 * s, 0.0), (0.0, 4.0 * s)], kinds, s / 2.0)
-            .with_rectangles(kind[0], &[[s, s, 2.0 * s, 2.0 * s]])
-            .with_polygon(kind[1], &board([(4.0, 0.0), (4.0, 4.0), (3.0, 3.0), (3.0, 1.0)]))
-            .with_polygon(kind[2], &board([(4.0, 0.0), (5.0, 1.0), (5.0, 3.0), (4.0, 4.0)]))
-            .with_polygon(kind[3], &board([(0.0, 0.0), (4.0, 0.0), (3.0, 1.0), (1.0, 1.0)]))
-            .with_polygon(kind[4], &board([(0.0, 0.0), (1.0, -1.0), (3.0, -1.0), (4.0, 0.0)]))
+        Self::new([(4.0 * s, 0.0), (0.0, 4.0 * s)], kind_count, s / 2.0)
+            .with_rectangles(kind_of_tile[0], &[[s, s, 2.0 * s, 2.0 * s]])
+            .with_polygon(kind_of_tile[1], &board([(4.0, 0.0), (4.0, 4.0), (3.0, 3.0), (3.0, 1.0)]))
+            .with_polygon(kind_of_tile[2], &board([(4.0, 0.0), (5.0, 1.0), (5.0, 3.0), (4.0, 4.0)]))
+            .with_polygon(kind_of_tile[3], &board([(0.0, 0.0), (4.0, 0.0), (3.0, 1.0), (1.0, 1.0)]))
+            .with_polygon(kind_of_tile[4], &board([(0.0, 0.0), (1.0, -1.0), (3.0, -1.0), (4.0, 0.0)]))
     }
 
     /// Returns a tiling of hexagons with squares at their sides and triangles at their corners.
-    fn hexagon_and_square_tiling(kinds: usize, kind: [usize; 6]) -> Self {
+    fn hexagon_and_square_tiling(kind_count: usize, kind_of_tile: [usize; 6]) -> Self {
         let apart = 1.0 + 2.0 * H;
         let middle = DVec2::splat(apart / 2.0);
-        let mut plan = Self::new([(apart * H, apart / 2.0), (0.0, apart)], kinds, H / 3.0);
-        plan = plan.with_regular_polygon(kind[0], 6, middle, 0.0);
+        let mut plan = Self::new([(apart * H, apart / 2.0), (0.0, apart)], kind_count, H / 3.0);
+        plan = plan.with_regular_polygon(kind_of_tile[0], 6, middle, 0.0);
         for i in 0..3 {
             let angle = 30.0 + 60.0 * i as f64;
-            plan =
-                plan.with_regular_polygon(kind[1 + i], 4, middle + apart / 2.0 * unit_vector_at(angle), angle + 45.0);
+            plan = plan.with_regular_polygon(
+                kind_of_tile[1 + i],
+                4,
+                middle + apart / 2.0 * unit_vector_at(angle),
+                angle + 45.0,
+            );
         }
         for i in 0..2 {
             let angle = 60.0 * i as f64;
             let far = 1.0 + 0.5 / H;
-            plan = plan.with_regular_polygon(kind[4 + i], 3, middle + far * unit_vector_at(angle), angle + 180.0);
+            plan =
+                plan.with_regular_polygon(kind_of_tile[4 + i], 3, middle + far * unit_vector_at(angle), angle + 180.0);
         }
         plan
     }
@@ -271,17 +276,22 @@ impl Plan {
     }
 
     /// Returns a tiling of dodecagons with squares between them, and hexagons in the gaps.
-    fn dodecagon_tiling(kinds: usize, kind: [usize; 6]) -> Self {
+    fn dodecagon_tiling(kind_count: usize, kind_of_tile: [usize; 6]) -> Self {
         let apart = 3.0 + 2.0 * H;
         let middle = DVec2::new(apart / 2.0, 1.0 + 2.0 * H);
         let gap = DVec2::new(apart / 2.0, apart * H / 3.0);
-        let plan = Self::new([(apart, 0.0), (apart / 2.0, apart * H)], kinds, 0.5)
-            .with_regular_polygon(kind[0], 12, middle, 15.0)
-            .with_regular_polygon(kind[1], 6, middle + gap, 0.0)
-            .with_regular_polygon(kind[2], 6, middle + 2.0 * gap, 0.0);
+        let plan = Self::new([(apart, 0.0), (apart / 2.0, apart * H)], kind_count, 0.5)
+            .with_regular_polygon(kind_of_tile[0], 12, middle, 15.0)
+            .with_regular_polygon(kind_of_tile[1], 6, middle + gap, 0.0)
+            .with_regular_polygon(kind_of_tile[2], 6, middle + 2.0 * gap, 0.0);
         (0..3).fold(plan, |plan, i| {
             let angle = 60.0 * i as f64;
-            plan.with_regular_polygon(kind[3 + i], 4, middle + apart / 2.0 * unit_vector_at(angle), angle + 45.0)
+            plan.with_regular_polygon(
+                kind_of_tile[3 + i],
+                4,
+                middle + apart / 2.0 * unit_vector_at(angle),
+                angle + 45.0,
+            )
         })
     }
 
@@ -316,8 +326,8 @@ impl Tile {
 }
 
 /// Returns the unit vector at an angle in degrees from x towards z.
-fn unit_vector_at(angle: f64) -> DVec2 {
-    let (sin, cos) = fp::sin_cos(angle.to_radians());
+fn unit_vector_at(degrees: f64) -> DVec2 {
+    let (sin, cos) = fp::sin_cos(degrees.to_radians());
     DVec2::new(cos, sin)
 }
 

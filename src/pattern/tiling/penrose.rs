@@ -129,8 +129,8 @@ impl Penrose {
                 let (kind, distance) = pentagon_kind_and_distance(Place::locate_in_triangle(p, LEG, 4));
                 (kind, distance / DEPTH)
             }
-            Self::Kites => kite_or_dart_at(Place::locate_in_triangle(p, 1.0, 2)),
-            Self::Rhombs => rhomb_kind_and_bevel(Place::locate_in_triangle(p, 1.0, 3)),
+            Self::Kites => kite_or_dart_and_bevel(Place::locate_in_triangle(p, 1.0, 2)),
+            Self::Rhombs => rhomb_kind_and_bevel_position(Place::locate_in_triangle(p, 1.0, 3)),
         };
         let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.tile_kind_count() as f64 };
         (kind, within.clamp(0.0, most))
@@ -138,14 +138,14 @@ impl Penrose {
 }
 
 /// Evaluates the Penrose tiling of rhombs, which consist of two triangles with the common side BC.
-fn rhomb_kind_and_bevel(place: Place) -> (usize, f64) {
+fn rhomb_kind_and_bevel_position(place: Place) -> (usize, f64) {
     let height = if place.obtuse { C18 } else { S36 };
     (usize::from(!place.obtuse), place.b.min(place.c) * height / DEPTH)
 }
 
 /// Evaluates the Penrose tiling of kites and darts, which consist of two triangles with the common side AB: the acute
 /// ones unchanged, and the obtuse ones cut from A to the point R that divides BC.
-fn kite_or_dart_at(place: Place) -> (usize, f64) {
+fn kite_or_dart_and_bevel(place: Place) -> (usize, f64) {
     let Place { obtuse, a, b, c } = place;
     let inverse = PHI - 1.0;
     let (dart, distance) = match obtuse {
@@ -164,7 +164,7 @@ fn pentagon_kind_and_distance(place: Place) -> (usize, f64) {
     let (left, right) = if place.obtuse { (1, 2) } else { (2, 1) };
     let mut best = diamond_kind_and_distance(p - end / 2.0);
     let mut tile = |kind, center: DVec2, mirrored: bool| {
-        let distance = pentagon_distance(if mirrored { center - p } else { p - center });
+        let distance = depth_in_pentagon(if mirrored { center - p } else { p - center });
         if distance > best.1 {
             best = (kind, distance);
         }
@@ -189,7 +189,7 @@ fn pentagon_kind_and_distance(place: Place) -> (usize, f64) {
 }
 
 /// Distance of a point from the edge of a pentagon around the origin, with a corner at 0°; negative outside.
-fn pentagon_distance(p: DVec2) -> f64 {
+fn depth_in_pentagon(p: DVec2) -> f64 {
     APART / 2.0 - [1, 3, 5, 7, 9].map(|k| TOWARDS[k].dot(p)).into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
@@ -201,7 +201,7 @@ fn diamond_kind_and_distance(p: DVec2) -> (usize, f64) {
 
 /// Kind of a Penrose tile and distance from its edge, for a star around the origin, with a tip at 0°.
 fn star_kind_and_distance(p: DVec2) -> (usize, f64) {
-    (3, star_arm_distance(along_and_across(p, nearest_direction(p, &[0, 2, 4, 6, 8]))))
+    (3, depth_in_star_arm(along_and_across(p, nearest_direction(p, &[0, 2, 4, 6, 8]))))
 }
 
 /// Kind of a Penrose tile and distance from its edge, for a boat: three arms of a star, the middle one at -36°, and a
@@ -209,11 +209,11 @@ fn star_kind_and_distance(p: DVec2) -> (usize, f64) {
 fn boat_kind_and_distance(p: DVec2) -> (usize, f64) {
     let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
     let k = nearest_direction(p, &[9, 1, 7, 3, 5]);
-    (4, if matches!(k, 3 | 5) { across } else { across.min(star_arm_distance(along_and_across(p, k))) })
+    (4, if matches!(k, 3 | 5) { across } else { across.min(depth_in_star_arm(along_and_across(p, k))) })
 }
 
 /// Distance of a point from the edges of a star's arm at 0°, 36° wide at its tip; negative outside.
-fn star_arm_distance((x, z): (f64, f64)) -> f64 {
+fn depth_in_star_arm((x, z): (f64, f64)) -> f64 {
     (APART - x) * S18 - z.abs() * C18
 }
 

@@ -30,7 +30,7 @@ impl<'a> EmbeddedTextures<'a> {
         (!self.textures.is_empty()).then(|| self.textures.into_iter().map(painted).collect())
     }
 
-    fn texture_number(&mut self, texture: Texture) -> u32 {
+    fn add_texture(&mut self, texture: Texture) -> u32 {
         let mut texture = Arc::new(texture);
         self.defaults.recent.deduplicate(&mut texture);
         *self.numbers.entry(Arc::as_ptr(&texture)).or_insert_with(|| {
@@ -57,7 +57,7 @@ impl Paints for EmbeddedTextures<'_> {
                 texture
             }
         };
-        *slot = self.texture_number(texture);
+        *slot = self.add_texture(texture);
         Ok(true)
     }
 
@@ -75,7 +75,7 @@ impl Paints for EmbeddedTextures<'_> {
             },
             _ => return Ok(None),
         };
-        Ok(Some(self.texture_number(texture)))
+        Ok(Some(self.add_texture(texture)))
     }
 
     fn add_mesh_material(
@@ -84,14 +84,14 @@ impl Paints for EmbeddedTextures<'_> {
         picture: Option<&Arc<Picture>>,
         r: &mut dyn Reader,
     ) -> Result<u32> {
-        Ok(self.texture_number(Texture::from_mesh_material(material, picture, r, &self.defaults.texture)))
+        Ok(self.add_texture(Texture::from_mesh_material(material, picture, r, &self.defaults.texture)))
     }
 
     fn transform(&mut self, slot: &mut u32, by: &Transform) {
         if *slot != 0 {
             let mut texture = self.texture_in_slot(*slot);
             texture.transform(by);
-            *slot = self.texture_number(texture);
+            *slot = self.add_texture(texture);
         }
     }
 }

@@ -63,7 +63,7 @@ impl Object {
             if matches!(r.next()?, Next::Thing(_)) {
                 let mut object = Self::read(r, defaults)?;
                 object.source = source;
-                object.read_modifiers(None, r, defaults)?;
+                object.read_modifiers_stays_visible(None, r, defaults)?;
                 return Ok(object);
             }
             return Self::read_light(source, r, defaults);
@@ -75,19 +75,19 @@ impl Object {
         if word == "object" || r.next()? == Next::Thing("object") {
             let mut object = Self::read(r, defaults)?;
             object.source = source;
-            object.read_modifiers(None, r, defaults)?;
+            object.read_modifiers_stays_visible(None, r, defaults)?;
             return Ok(object);
         }
         let Some(shape) = Shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
         let mut object = Box::new(Self::unfinished(word, source, defaults));
         let mut shape = match shape {
             Err(fault) if fault.code == codes::NOT_FINITE => {
-                object.read_invisible(*fault, r, defaults)?;
+                object.read_rest_of_invisible(*fault, r, defaults)?;
                 return Ok(object);
             }
             shape => shape?,
         };
-        if object.read_modifiers(Some(&mut shape), r, defaults)? {
+        if object.read_modifiers_stays_visible(Some(&mut shape), r, defaults)? {
             let shape = match defaults.recent.find_shape(&shape) {
                 Some(known) => known,
                 None => {
@@ -103,7 +103,7 @@ impl Object {
 
     /// Reads the rest of a shape with a number that is not finite. As in POV-Ray, such a shape is invisible
     /// (quirk: `infinite_shapes_vanish`).
-    fn read_invisible(&mut self, fault: Diagnostic, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+    fn read_rest_of_invisible(&mut self, fault: Diagnostic, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
         r.report(invisible_warning(self.word, fault));
         loop {
             let next = r.next()?;
@@ -135,13 +135,13 @@ impl Object {
         let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
         object.weight().check_depth(source)?;
         object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);
-        object.read_modifiers(None, r, defaults)?;
+        object.read_modifiers_stays_visible(None, r, defaults)?;
         Ok(object)
     }
 
     /// Reads modifiers and the shape's own words up to the end of the block. Returns false if a transform that is not
     /// finite makes the object empty.
-    fn read_modifiers(
+    fn read_modifiers_stays_visible(
         &mut self,
         mut shape: Option<&mut Shape>,
         r: &mut dyn Reader,
@@ -348,7 +348,7 @@ fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();
     let is_color = match next {
-        Next::Word(_) if r.is_at_color()? => r.color().is_ok(),
+        Next::Word(_) if r.may_be_at_color()? => r.color().is_ok(),
         Next::Value => matches!(r.value(), Ok((Value::Color(_), _))),
         _ => false,
     };

@@ -65,7 +65,7 @@ impl Net {
 
     /// Normal of a Bézier surface at a corner, by its neighbours on the borders; along x if they coincide (quirk:
     /// `patch_flatness`).
-    fn normal(&self, row: usize, column: usize) -> DVec3 {
+    fn corner_normal(&self, row: usize, column: usize) -> DVec3 {
         let between = |at: usize, near: DVec3, far: DVec3| if at == 0 { near } else { far };
         let downwards = between(
             row,
@@ -91,7 +91,7 @@ impl Net {
         if rows + columns == 0 || flatness > 0.0 && self.is_flat(flatness) {
             let corner = |row: usize, column: usize| Corner {
                 point: self.control_point(row, column),
-                normal: self.normal(row, column),
+                normal: self.corner_normal(row, column),
                 place: DVec2::new(if column == 0 { from.x } else { to.x }, if row == 0 { from.y } else { to.y }),
             };
             return leaf([corner(0, 0), corner(0, 3), corner(3, 0), corner(3, 3)]);

@@ -79,21 +79,21 @@ impl Component {
     }
 
     /// Vector to `p` from the nearest point of the component's axis or centre, in radii.
-    fn offset_from_axis(&self, p: DVec3) -> DVec3 {
+    fn offset_in_radii(&self, p: DVec3) -> DVec3 {
         let from_base = self.to_component_space(p) - self.base;
         let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
         (from_base - self.axis * along.clamp(0.0, 1.0)) / self.radius
     }
 
     pub(super) fn field_at(&self, p: DVec3) -> f64 {
-        let u = 1.0 - self.offset_from_axis(p).length_squared();
+        let u = 1.0 - self.offset_in_radii(p).length_squared();
         if u > 0.0 { self.strength * u * u } else { 0.0 }
     }
 
     /// Gradient of the field of a blob's component: s·2u·(-2d/r²), where d is the vector from the axis; transformed by
     /// M⁻ᵀ as a normal.
     pub(super) fn field_gradient(&self, p: DVec3) -> DVec3 {
-        let d = self.offset_from_axis(p);
+        let d = self.offset_in_radii(p);
         let u = 1.0 - d.length_squared();
         if u <= 0.0 {
             return DVec3::ZERO;
@@ -104,11 +104,12 @@ impl Component {
 
     /// Bounding box of a blob's component: that of the spheres at both ends.
     pub(super) fn bounds(&self) -> Aabb {
-        self.sphere_bounds(self.base, self.radius).union(self.sphere_bounds(self.base + self.axis, self.radius))
+        self.blob_bounds_of_sphere(self.base, self.radius)
+            .union(self.blob_bounds_of_sphere(self.base + self.axis, self.radius))
     }
 
     /// Bounding box in blob space of a sphere in component space.
-    fn sphere_bounds(&self, center: DVec3, radius: f64) -> Aabb {
+    fn blob_bounds_of_sphere(&self, center: DVec3, radius: f64) -> Aabb {
         let ball = Sphere { center, radius };
         self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
     }

@@ -141,8 +141,8 @@ impl Grid {
     }
 
     /// Normal at a corner of a smooth height field, in object space without its scale in steps and cells.
-    pub fn corner_normal(&self, column: usize, row: usize) -> DVec3 {
-        self.normals.get_or_init(|| Normals::new(self.heights.len())).normal_at(self, column, row)
+    pub fn unnormalized_corner_normal(&self, column: usize, row: usize) -> DVec3 {
+        self.normals.get_or_init(|| Normals::new(self.heights.len())).unnormalized_normal_at(self, column, row)
     }
 
     /// Minimum and maximum height of the field, in steps.
@@ -180,13 +180,13 @@ impl Grid {
     }
 
     /// Height of a field's triangle at a position in its cell, in steps.
-    pub fn triangle_height(&self, place: Place, rest: DVec2) -> f64 {
+    pub fn triangle_height(&self, place: Place, position_in_cell: DVec2) -> f64 {
         let slope = self.triangle_slope(place);
         let Place { i, k, upper } = place;
         if upper {
-            self.corner_height(i + 1, k + 1) + slope.dot(rest - 1.0)
+            self.corner_height(i + 1, k + 1) + slope.dot(position_in_cell - 1.0)
         } else {
-            self.corner_height(i, k) + slope.dot(rest)
+            self.corner_height(i, k) + slope.dot(position_in_cell)
         }
     }
 
@@ -236,7 +236,7 @@ impl Grid {
         if way.is_clear_of(ranges[b * across + a]) {
             return ControlFlow::Continue(());
         }
-        let [from, to] = self.square_cells(level, a, b);
+        let [from, to] = self.first_and_end_cells(level, a, b);
         if level == 0 {
             return self.visit_hits_in_cells(from, to, line);
         }
@@ -260,7 +260,7 @@ impl Grid {
     }
 
     /// Returns the first cell of a pyramid level's square, and the one beyond its last.
-    fn square_cells(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
+    fn first_and_end_cells(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
         let size = self.pyramid[level].size;
         let from = [a * size, b * size];
         [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]

@@ -4,7 +4,7 @@ use crate::color::{GRAY_WEIGHTS, Gamma};
 use crate::image_io::{Picture, Samples, expand_pixel, round_gray_like_povray};
 
 /// Converts a number to a height of 16 bits; numbers below 0 and above 1 wrap.
-pub fn wrap_to_u16(x: f64) -> u16 {
+pub fn unit_to_wrapping_u16(x: f64) -> u16 {
     (x * 65535.0) as i64 as u16
 }
 
@@ -41,7 +41,7 @@ pub fn heights_of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
             rows.map(|i| height(pixel(i))).collect()
         }
         Samples::U16(all) => {
-            let code = |x: u16| if gamma.is_none() { x } else { wrap_to_u16(curve(f64::from(x) / 65535.0)) };
+            let code = |x: u16| if gamma.is_none() { x } else { unit_to_wrapping_u16(curve(f64::from(x) / 65535.0)) };
             rows.map(|i| match all[i * channels..(i + 1) * channels] {
                 [r, g, b, ..] => brightness_u16([code(r), code(g), code(b)]),
                 [x, ..] => code(x),
@@ -61,8 +61,8 @@ pub fn heights_of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
 
 /// Returns the heights of a `pot` picture from rows of palette indices: the left half holds the higher bytes, the right
 /// half the lower.
-pub fn heights_of_pot_picture(all: &[u16], width: usize) -> Vec<u16> {
+pub fn heights_of_pot_picture(palette_indices: &[u16], width: usize) -> Vec<u16> {
     let half = width / 2;
     let row = |row: &[u16]| (0..half).map(|x| row[x] | row[x + width - half] >> 8).collect::<Vec<_>>();
-    all.chunks_exact(width).flat_map(row).collect()
+    palette_indices.chunks_exact(width).flat_map(row).collect()
 }

@@ -101,13 +101,13 @@ impl HeightField {
 
     /// Interpolates the normals of a height field's cell from its four corners, where they have length 1 in world
     /// space.
-    fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
+    fn smooth_normal(&self, grid: &Grid, place: Place, position_in_cell: DVec2) -> DVec3 {
         let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.grid_from_object_scale());
         let corner = |i: usize, k: usize| {
-            m.transform_normal(grid.corner_normal(place.i + i, place.k + k) * scale).normalize_or_zero()
+            m.transform_normal(grid.unnormalized_corner_normal(place.i + i, place.k + k) * scale).normalize_or_zero()
         };
         let [n00, n10, n01, n11] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
-        let n = n00.lerp(n10, rest.x).lerp(n01.lerp(n11, rest.x), rest.y);
+        let n = n00.lerp(n10, position_in_cell.x).lerp(n01.lerp(n11, position_in_cell.x), position_in_cell.y);
         m.inverse_transform_normal(n)
     }
 }
@@ -130,7 +130,7 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
         all.extend((0..width).map(|i| {
             let [r, g, b, ..] = function.call(&[step(i, width), step(j, height), 0.0]);
             // quirk: height_field_function_precision
-            let kept = |x: f64| heights::wrap_to_u16(f64::from(x as f32));
+            let kept = |x: f64| heights::unit_to_wrapping_u16(f64::from(x as f32));
             if colored { heights::brightness_u16([r, g, b].map(kept)) } else { wrap_to_u16(r as f32) }
         }));
     }

@@ -19,14 +19,14 @@ impl Normals {
 
     /// Returns the height field's normal at a corner in object space, with a length of about 32767 steps. Any thread
     /// may compute it first; all compute the same.
-    pub fn normal_at(&self, grid: &Grid, column: usize, row: usize) -> DVec3 {
+    pub fn unnormalized_normal_at(&self, grid: &Grid, column: usize, row: usize) -> DVec3 {
         let kept = &self.0[row * (grid.across + 1) + column];
         let mut packed = kept.load(Ordering::Relaxed);
         if packed == 0 {
             packed = KNOWN | pack_normal(mean_normal(grid, column, row));
             kept.store(packed, Ordering::Relaxed);
         }
-        unpack_normal(packed)
+        unpack_unnormalized_normal(packed)
     }
 }
 
@@ -52,7 +52,7 @@ fn pack_normal(n: DVec3) -> u64 {
     x | y << 16 | z << 32
 }
 
-fn unpack_normal(packed: u64) -> DVec3 {
+fn unpack_unnormalized_normal(packed: u64) -> DVec3 {
     let at = |bits: u32| f64::from(((packed >> bits) as u16).cast_signed());
     DVec3::new(at(0), at(16), at(32))
 }
@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn coordinates_lose_what_is_behind_the_point() {
         let n = DVec3::new(-0.6, 0.0, 0.8);
-        assert_eq!(unpack_normal(pack_normal(n)), (n * 32767.0).trunc());
+        assert_eq!(unpack_unnormalized_normal(pack_normal(n)), (n * 32767.0).trunc());
     }
 
     #[test]
@@ -74,7 +74,7 @@ mod tests {
         let normals = Normals::new(16);
         let expected = (DVec3::new(-3.0, 1.0, -2.0).normalize() * 32767.0).trunc();
         for (i, k) in [(0, 0), (3, 3), (1, 2), (1, 2)] {
-            assert_eq!(normals.normal_at(&grid, i, k), expected);
+            assert_eq!(normals.unnormalized_normal_at(&grid, i, k), expected);
         }
     }
 }

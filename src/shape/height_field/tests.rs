@@ -91,7 +91,7 @@ fn heights_follow_from_pixels() {
     assert_eq!(heights::heights_of_picture(&colors, None), [7, 27_480]);
     let palette = picture(3, Samples::U8(vec![0; 6]), Some(vec![5, 2]));
     assert_eq!(heights::heights_of_picture(&palette, None), [512, 1280]);
-    assert_eq!([-0.25, 0.5, 1.4, f64::NAN].map(heights::wrap_to_u16), [49_153, 32_767, 26_213, 0]);
+    assert_eq!([-0.25, 0.5, 1.4, f64::NAN].map(heights::unit_to_wrapping_u16), [49_153, 32_767, 26_213, 0]);
 }
 
 #[test]

@@ -64,9 +64,9 @@ impl Gradient {
         self.by.iter().flatten().chain([&self.around]).all(|by| by.is_finite())
     }
 
-    /// Bounds of the function's derivative along `d`, whose length is `length`; `unknown` without bounds, or where
+    /// Bounds of the function's derivative along `d`, whose length is `length`; `fallback` without bounds, or where
     /// rough bounds are wider than that.
-    pub fn derivative_along(&self, d: DVec3, length: f64, unknown: Interval) -> Interval {
+    pub fn derivative_along(&self, d: DVec3, length: f64, fallback: Interval) -> Interval {
         let far = f64::from(self.around) * length;
         let (mut lo, mut hi) = (-far, far);
         for axis in 0..3 {
@@ -74,10 +74,10 @@ impl Gradient {
             lo += a.min(b);
             hi += a.max(b);
         }
-        let good = |bound: f64, unknown: f64| bound.is_finite() && !(self.rough && bound.abs() > unknown.abs());
+        let good = |bound: f64, fallback: f64| bound.is_finite() && !(self.rough && bound.abs() > fallback.abs());
         Interval {
-            lo: if good(lo, unknown.lo) { lo } else { unknown.lo },
-            hi: if good(hi, unknown.hi) { hi } else { unknown.hi },
+            lo: if good(lo, fallback.lo) { lo } else { fallback.lo },
+            hi: if good(hi, fallback.hi) { hi } else { fallback.hi },
         }
     }
 }
@@ -98,7 +98,7 @@ impl Cells {
         side = side.max(size.max_element() / MOST);
         let count = [0, 1, 2].map(|axis| (size[axis] / side).round().clamp(1.0, MOST) as usize);
         let mut grid = Grid::empty_grid(bounds, count);
-        grid.collect_cells(formula, threshold, count.map(|n| [0, n]), &mut vec![]);
+        grid.collect_surface_cells(formula, threshold, count.map(|n| [0, n]), &mut vec![]);
         Self { formula: formula.clone(), threshold, grid }
     }
 
@@ -107,7 +107,14 @@ impl Cells {
         self.any_piece_in_grid(&self.grid, HALVINGS, ray, (from, to), visit)
     }
 
-    fn any_piece_in_grid(&self, grid: &Grid, halvings: u32, ray: &Ray, (from, to): (f64, f64), visit: Visit) -> bool {
+    fn any_piece_in_grid(
+        &self,
+        grid: &Grid,
+        halvings_left: u32,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        visit: Visit,
+    ) -> bool {
         let o = (ray.origin - grid.bounds.min) * grid.scale;
         let d = ray.dir * grid.scale;
         let inverse = d.recip();
@@ -125,9 +132,9 @@ impl Cells {
             let next = ends[axis].min(to).max(t);
             let ended = match grid.cell_at(cell) {
                 None => visit(t, next, None),
-                Some(inner) if halvings == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
-                Some(inner) => match self.subgrid_of_cell(grid, cell, inner) {
-                    Some(finer) => self.any_piece_in_grid(finer, halvings - 1, ray, (t, next), visit),
+                Some(inner) if halvings_left == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
+                Some(inner) => match self.subgrid_if_better(grid, cell, inner) {
+                    Some(finer) => self.any_piece_in_grid(finer, halvings_left - 1, ray, (t, next), visit),
                     None => visit(t, next, Some(&inner.gradient)),
                 },
             };
@@ -146,10 +153,10 @@ impl Cells {
     }
 
     /// Returns the eight parts of an isosurface's cell; `None` if all of them hold surface and none has bounds.
-    fn subgrid_of_cell<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
+    fn subgrid_if_better<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
         let halves = inner.halves.get_or_init(|| {
             let mut eight = Grid::empty_grid(grid.block_bounds(cell.map(|i| [i, i + 1])), [2; 3]);
-            eight.collect_cells(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);
+            eight.collect_surface_cells(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);
             let better = eight.cells.len() < 8 || eight.cells.iter().any(|cell| cell.gradient.is_known());
             better.then(|| Box::new(eight))
         });
@@ -181,10 +188,10 @@ impl Grid {
         Aabb { min: corner(0), max: corner(1) }
     }
 
-    fn collect_cells(&mut self, formula: &Formula, threshold: f64, block: Block, scratch: &mut Vec<Slope>) {
+    fn collect_surface_cells(&mut self, formula: &Formula, threshold: f64, block: Block, scratch: &mut Vec<Slope>) {
         let b = self.block_bounds(block);
         let slope = formula.value_and_slope_in(&b.grown(1e-9 * b.size().max_element()), scratch);
-        if !slope.value.widened().contains(threshold) {
+        if !slope.value.widened_by_rounding().contains(threshold) {
             return;
         }
         let (axis, length) =
@@ -198,8 +205,8 @@ impl Grid {
         let middle = block[axis][0] + length / 2;
         let (mut lower, mut upper) = (block, block);
         (lower[axis][1], upper[axis][0]) = (middle, middle);
-        self.collect_cells(formula, threshold, lower, scratch);
-        self.collect_cells(formula, threshold, upper, scratch);
+        self.collect_surface_cells(formula, threshold, lower, scratch);
+        self.collect_surface_cells(formula, threshold, upper, scratch);
     }
 
     fn cell_index(&self, cell: [usize; 3]) -> usize {

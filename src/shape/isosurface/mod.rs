@@ -247,9 +247,9 @@ impl Readable for Isosurface {
             "0.001",
             "how far behind the surface it is met, in units of the world, and how long the steps that find normals",
         )
-        .sets(|s, r| set(&mut s.accuracy, formula::read_positive(r, "accuracy", 0.001))),
+        .sets(|s, r| set(&mut s.accuracy, formula::read_default_unless_positive(r, "accuracy", 0.001))),
         word("max_gradient", ValueKind::Float, "1.1", "how steep the function is, where durer can't know it")
-            .sets(|s, r| set(&mut s.max_gradient, formula::read_positive(r, "max_gradient", 1.1))),
+            .sets(|s, r| set(&mut s.max_gradient, formula::read_default_unless_positive(r, "max_gradient", 1.1))),
         word(
             "evaluate",
             ValueKind::Float,
@@ -262,8 +262,14 @@ impl Readable for Isosurface {
             s.max_gradient = (least * factor).abs().max(f64::MIN_POSITIVE);
             Ok(())
         }),
-        word("max_trace", ValueKind::Float, "1", "how many hits of one ray count in CSG and for what is clipped")
-            .sets(|s, r| set(&mut s.max_trace, formula::read_positive(r, "max_trace", 1.0).map(|n| (n as u32).max(1)))),
+        word("max_trace", ValueKind::Float, "1", "how many hits of one ray count in CSG and for what is clipped").sets(
+            |s, r| {
+                set(
+                    &mut s.max_trace,
+                    formula::read_default_unless_positive(r, "max_trace", 1.0).map(|n| (n as u32).max(1)),
+                )
+            },
+        ),
         word("all_intersections", ValueKind::Nothing, "", "all hits of a ray count")
             .sets(|s, _| set(&mut s.max_trace, Ok(u32::MAX))),
     ];

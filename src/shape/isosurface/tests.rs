@@ -87,7 +87,7 @@ fn steep_functions_have_no_holes() {
     let noise = Arc::new(AtomicU8::new(NoiseGenerator::default().number()));
     let rough = formula(|m, [x, y, z]| {
         let list = [x, y, z].map(|x| m.add_scaled(9.0, x)).to_vec();
-        let n = m.0.add_call(Callee::SceneNoise(noise.clone()), 0, list.into());
+        let n = m.0.add_call_component(Callee::SceneNoise(noise.clone()), 0, list.into());
         let n = m.add_scaled(0.4, n);
         m.add_binary(Sub, y, n)
     });

@@ -36,15 +36,15 @@ impl<'a> Walk<'a> {
     /// the solid there. A way shorter than a piece has no hits.
     pub fn entering_container(
         value: &'a dyn Fn(f64) -> f64,
-        inside: bool,
-        open: bool,
+        enters_solid: bool,
+        container_is_open: bool,
         to: f64,
         accuracy: f64,
     ) -> Option<Self> {
-        let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(inside) };
+        let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(enters_solid) };
         walk.set_piece_length();
         // Behind the container's own face the end of the first piece counts as a hit, which that face hides.
-        if !open && inside {
+        if !container_is_open && enters_solid {
             walk.skip_after_hit(walk.piece);
         }
         walk.has_whole_piece().then_some(walk)

@@ -25,7 +25,7 @@ use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
 use crate::value::{Next, Param, Readable, Reader, Spec, Value, ValueKind, WordSpec};
 use function::{FUNCTIONS, WORDS};
-use orbit::{Four, Rule, Trail, mean_square};
+use orbit::{Four, Rule, Trail, mean_of_squared_lengths};
 use serde::Serialize;
 
 /// Maximum number of iterations of a Julia fractal; points inside take all of them.
@@ -125,31 +125,35 @@ impl JuliaFractal {
     }
 
     /// Returns the start of a point's orbit in a Julia fractal, and the constant.
-    fn orbit_start(&self, p: DVec3) -> [Four; 2] {
+    fn orbit_start_and_constant(&self, p: DVec3) -> [Four; 2] {
         [self.point_in_slice(p), self.parameter]
     }
 
     /// Returns true if the point is inside the Julia fractal, and a radius around it within which all points share
     /// that.
-    fn is_inside_with_clearance(&self, p: DVec3, radius: f64, trail: &mut Trail) -> (bool, f64) {
-        let (inside, clearance) =
-            self.iteration_rule().stays_with_clearance(self.orbit_start(p), radius, self.iteration_count(), trail);
+    fn is_inside_with_clearance(&self, p: DVec3, escape_radius: f64, trail: &mut Trail) -> (bool, f64) {
+        let (inside, clearance) = self.iteration_rule().stays_with_clearance(
+            self.orbit_start_and_constant(p),
+            escape_radius,
+            self.iteration_count(),
+            trail,
+        );
         // (In a steep slice, points are farther apart than their projections.)
         (inside, clearance * self.slice[3].abs())
     }
 
     /// Returns a value below 0 inside the Julia fractal, and at most 1; `squared_escape_radius` is the squared escape
     /// radius.
-    fn signed_value(&self, p: DVec3, squared_escape_radius: f64) -> f64 {
+    fn escape_value_negative_inside(&self, p: DVec3, squared_escape_radius: f64) -> f64 {
         1.0 - squared_escape_radius
-            / self.iteration_rule().max_squared_length(self.orbit_start(p), self.iteration_count())
+            / self.iteration_rule().max_squared_length(self.orbit_start_and_constant(p), self.iteration_count())
     }
 
     fn contains(&self, p: DVec3) -> bool {
         let exit = self.escape_radius() * self.escape_radius();
         let mut stays = true;
-        self.iteration_rule().iterate_orbit(self.orbit_start(p), self.iteration_count(), |squares| {
-            stays = mean_square(squares) <= exit;
+        self.iteration_rule().iterate_orbit(self.orbit_start_and_constant(p), self.iteration_count(), |squares| {
+            stays = mean_of_squared_lengths(squares) <= exit;
             stays
         });
         stays
@@ -157,9 +161,9 @@ impl JuliaFractal {
 
     /// Returns the interval of a line within the ball around a Julia fractal; positions are distances from the line's
     /// point nearest to the origin.
-    fn interval_in_ball(&self, o: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
+    fn interval_in_ball(&self, nearest_to_origin: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
         let ball = self.bounding_radius();
-        let half = (ball * ball - o.length_squared()).sqrt();
+        let half = (ball * ball - nearest_to_origin.length_squared()).sqrt();
         // (The square root of a negative number is excluded.)
         let (from, to) = (from.max(-half), to.min(half));
         (half > 0.0 && half.is_finite() && from < to).then_some((from, to))
@@ -167,7 +171,7 @@ impl JuliaFractal {
 
     /// Calls `found` with each interval in which a ray crosses a Julia fractal's surface, ascending, until it returns
     /// true.
-    fn search(&self, ray: &Ray, range: Range, found: Found) {
+    fn search_crossing_intervals(&self, ray: &Ray, range: Range, found: Found) {
         if self.iteration_count() == 0 {
             return;
         }
@@ -194,7 +198,7 @@ impl JuliaFractal {
                 there = self.is_inside_with_clearance(at(next), radius, &mut trail);
             }
             if there.0 != inside {
-                let value = |s: f64| self.signed_value(at(s), radius * radius);
+                let value = |s: f64| self.escape_value_negative_inside(at(s), radius * radius);
                 let root = || t(root_between(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
                 if found([t(s), t(next)], &root) {
                     return;
@@ -207,10 +211,10 @@ impl JuliaFractal {
     /// Returns the iteration after which |h| is largest in a point's orbit, among the iterations that count.
     fn iteration_of_max_length(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
-        self.iteration_rule().iterate_orbit(self.orbit_start(p), self.iteration_count(), |squares| {
+        self.iteration_rule().iterate_orbit(self.orbit_start_and_constant(p), self.iteration_count(), |squares| {
             // (NaN counts as larger.)
-            if mean_square(squares).total_cmp(&most).is_ge() {
-                (last, most) = (k, mean_square(squares));
+            if mean_of_squared_lengths(squares).total_cmp(&most).is_ge() {
+                (last, most) = (k, mean_of_squared_lengths(squares));
             }
             k += 1;
             squares.iter().all(|x| x.is_finite())
@@ -366,7 +370,7 @@ impl Kernel for JuliaFractal {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |_, root| {
+        self.search_crossing_intervals(ray, range, &mut |_, root| {
             out.extend(Some(root()).filter(|t| range.contains(*t)).map(Hit::on_single_piece));
             false
         });
@@ -374,7 +378,7 @@ impl Kernel for JuliaFractal {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, &mut |_, root| {
+        self.search_crossing_intervals(ray, range, &mut |_, root| {
             first = Some(root()).filter(|t| range.contains(*t)).map(Hit::on_single_piece);
             first.is_some()
         });
@@ -383,7 +387,7 @@ impl Kernel for JuliaFractal {
 
     fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         let mut any = false;
-        self.search(ray, range, &mut |ends, root| {
+        self.search_crossing_intervals(ray, range, &mut |ends, root| {
             any = ends.iter().all(|t| range.contains(*t)) || range.contains(root());
             any
         });

@@ -119,53 +119,59 @@ impl Rule {
         }
     }
 
-    /// Returns true if a Julia fractal's orbit stays within `radius`, and a radius around the start within which all
+    /// Returns true if a Julia fractal's orbit stays within `escape_radius`, and a radius around the start within which all
     /// points share that; the radius is 0 where nothing is proven.
     #[inline]
-    pub fn stays_with_clearance(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
+    pub fn stays_with_clearance(
+        self,
+        start: [Four; 2],
+        escape_radius: f64,
+        count: usize,
+        trail: &mut Trail,
+    ) -> (bool, f64) {
         trail.clear();
-        let (exit, proved) = (radius * radius, self.has_proven_bound());
+        let (exit, proved) = (escape_radius * escape_radius, self.has_proven_bound());
         let mut stays = true;
         self.iterate_orbit(start, count, |squares| {
             trail.push(squares);
             // One iteration after the escape gives a better radius.
-            let goes_on = stays && (proved || mean_square(squares) <= exit);
+            let goes_on = stays && (proved || mean_of_squared_lengths(squares) <= exit);
             // (NaN has escaped too.)
-            stays &= mean_square(squares) <= exit;
+            stays &= mean_of_squared_lengths(squares) <= exit;
             goes_on && squares.iter().all(|x| x.is_finite())
         });
-        (stays, if proved { self.shared_result_radius(trail, stays, radius) } else { 0.0 })
+        (stays, if proved { self.shared_result_radius(trail, stays, escape_radius) } else { 0.0 })
     }
 
     /// Returns the maximum squared length of a Julia fractal's orbit; infinite for NaN.
     pub fn max_squared_length(self, start: [Four; 2], count: usize) -> f64 {
         let mut most = 0.0;
         self.iterate_orbit(start, count, |squares| {
-            let square = mean_square(squares);
+            let square = mean_of_squared_lengths(squares);
             most = if square <= most { most } else { square };
             most.is_finite()
         });
         if most.is_nan() { f64::INFINITY } else { most }
     }
 
-    /// Returns the radius of a ball that contains every orbit of a Julia fractal which stays within `radius`.
+    /// Returns the radius of a ball that contains every orbit of a Julia fractal which stays within `escape_radius`.
     ///
     /// |h² + c| ≥ |h|² - |c|: a point that is at most r after an iteration was at most √(r + |c|) before it, and
     /// likewise for cubes.
-    pub fn bounding_radius(self, c: Four, radius: f64, count: usize) -> f64 {
+    pub fn bounding_radius(self, c: Four, escape_radius: f64, count: usize) -> f64 {
         let steps = 0..count.min(BALL_ROUNDS);
         let size = length_squared(c).sqrt();
         match self {
-            Rule::Square => steps.fold(radius, |r, _| r.min((r + size).sqrt())),
-            Rule::Cube => steps.fold(radius, |r, _| r.min(fp::cbrt(r + size))),
+            Rule::Square => steps.fold(escape_radius, |r, _| r.min((r + size).sqrt())),
+            Rule::Cube => steps.fold(escape_radius, |r, _| r.min(fp::cbrt(r + size))),
             Rule::Pair(Function::Sqr) => {
                 let [a, b] = to_complex_pair(c).map(|c| {
                     let size = c.length_squared().sqrt();
-                    steps.clone().fold(SQRT_2 * radius, |r, _| r.min((r + size).sqrt()))
+                    steps.clone().fold(SQRT_2 * escape_radius, |r, _| r.min((r + size).sqrt()))
                 });
-                radius.min(mean_square([a * a, b * b]).sqrt())
+                escape_radius.min(mean_of_squared_lengths([a * a, b * b]).sqrt())
             }
-            Rule::Pair(_) => radius,
+            Rule::Pair(_) => escape_radius,
         }
     }
 
@@ -179,34 +185,34 @@ impl Rule {
     ///
     /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and likewise for cubes; both are solved for |d|, or bounded where that is
     /// cheaper.
-    fn deviation_before(self, square: f64, next: DeviationBounds) -> DeviationBounds {
-        let (length, DeviationBounds { least: e, most }) = (square.sqrt(), next);
+    fn deviation_before(self, squared_length: f64, next: DeviationBounds) -> DeviationBounds {
+        let (length, DeviationBounds { least: e, most }) = (squared_length.sqrt(), next);
         match self {
             _ if e == 0.0 => DeviationBounds::exact(0.0),
-            Rule::Cube if e <= square * length => {
-                let most = e / (3.0 * square);
-                DeviationBounds::exact(e / (3.0 * square + most * (3.0 * length + most)))
+            Rule::Cube if e <= squared_length * length => {
+                let most = e / (3.0 * squared_length);
+                DeviationBounds::exact(e / (3.0 * squared_length + most * (3.0 * length + most)))
             }
-            Rule::Cube => DeviationBounds::exact(fp::cbrt(square * length + e) - length),
+            Rule::Cube => DeviationBounds::exact(fp::cbrt(squared_length * length + e) - length),
             // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|) ≥ e / 2|h| (1 - e / 4|h|²)
-            _ if most <= square => {
+            _ if most <= squared_length => {
                 let half = 0.5 / length;
                 DeviationBounds { least: e * (half * (1.0 - most * (half * half))), most: most * half }
             }
-            _ => DeviationBounds::exact((square + e).sqrt() - length),
+            _ => DeviationBounds::exact((squared_length + e).sqrt() - length),
         }
     }
 
     /// Returns a radius within which all points share the result of a Julia fractal's orbit: escape in one of its last
     /// iterations, or none.
-    fn shared_result_radius(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
+    fn shared_result_radius(self, trail: &[[f64; 2]], stays: bool, escape_radius: f64) -> f64 {
         let within = match (self, stays) {
             // Both numbers of a pair deviate by √2 times the point's deviation.
-            (Rule::Pair(_), true) => self.deviation_while_staying::<2>(trail, radius) * FRAC_1_SQRT_2,
-            (Rule::Pair(_), false) => self.deviation_while_escaping::<2>(trail, radius) * FRAC_1_SQRT_2,
+            (Rule::Pair(_), true) => self.deviation_while_staying::<2>(trail, escape_radius) * FRAC_1_SQRT_2,
+            (Rule::Pair(_), false) => self.deviation_while_escaping::<2>(trail, escape_radius) * FRAC_1_SQRT_2,
             // (Both lengths of a quaternion are equal.)
-            (_, true) => self.deviation_while_staying::<1>(trail, radius),
-            (_, false) => self.deviation_while_escaping::<1>(trail, radius),
+            (_, true) => self.deviation_while_staying::<1>(trail, escape_radius),
+            (_, false) => self.deviation_while_escaping::<1>(trail, escape_radius),
         };
         // (Rounding must not increase the radius.)
         within * (1.0 - 1e-9)
@@ -214,10 +220,10 @@ impl Rule {
 
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay in all
     /// iterations.
-    fn deviation_while_staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
+    fn deviation_while_staying<const N: usize>(self, trail: &[[f64; 2]], escape_radius: f64) -> f64 {
         let mut e = [DeviationBounds::exact(f64::INFINITY); N];
         for squares in trail.iter().rev() {
-            let gap = (radius - mean_square(*squares).sqrt()).max(0.0);
+            let gap = (escape_radius - mean_of_squared_lengths(*squares).sqrt()).max(0.0);
             e = from_fn(|i| self.deviation_before(squares[i], e[i]).min(gap));
         }
         least_deviation(&e)
@@ -225,12 +231,12 @@ impl Rule {
 
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they escape in one of
     /// the last iterations.
-    fn deviation_while_escaping<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
+    fn deviation_while_escaping<const N: usize>(self, trail: &[[f64; 2]], escape_radius: f64) -> f64 {
         let mut e = [DeviationBounds::exact(0.0); N];
         for squares in trail.iter().rev() {
             e = from_fn(|i| self.deviation_before(squares[i], e[i]));
-            if mean_square(*squares) > radius * radius {
-                let gap = mean_square(*squares).sqrt() - radius;
+            if mean_of_squared_lengths(*squares) > escape_radius * escape_radius {
+                let gap = mean_of_squared_lengths(*squares).sqrt() - escape_radius;
                 e = if gap > least_deviation(&e) { [DeviationBounds::exact(gap); N] } else { e };
             }
         }
@@ -261,7 +267,7 @@ fn least_deviation<const N: usize>(e: &[DeviationBounds; N]) -> f64 {
 }
 
 /// Returns the squared length of a hypercomplex number from those of its pair.
-pub fn mean_square([a, b]: [f64; 2]) -> f64 {
+pub fn mean_of_squared_lengths([a, b]: [f64; 2]) -> f64 {
     0.5 * (a + b)
 }
 

@@ -121,7 +121,7 @@ impl Reader for NumberWordReader {
         unreachable!()
     }
 
-    fn is_at_color(&mut self) -> Result<bool> {
+    fn may_be_at_color(&mut self) -> Result<bool> {
         unreachable!()
     }
 
@@ -145,14 +145,14 @@ impl Reader for NumberWordReader {
         self.vector().map(|v| v.truncate())
     }
 
-    fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
+    fn numbers_in_angle_brackets(&mut self, n: usize) -> Result<Vec<f64>> {
         let Some(text) = self.left.pop_front() else { return Err(self.unexpected("numbers").into()) };
         let list: Vec<f64> = text.trim_matches(['<', '>']).split(',').map(|n| n.parse().unwrap()).collect();
         if list.len() == n { Ok(list) } else { Err(self.unexpected("numbers").into()) }
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
-        self.numbers(n)
+        self.numbers_in_angle_brackets(n)
     }
 
     fn read_colon(&mut self) -> Result<()> {

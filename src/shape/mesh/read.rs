@@ -358,7 +358,7 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
     while list.len() < count {
-        if literal_triples(r, count - list.len(), &mut list) == 0 {
+        if append_literal_triples(r, count - list.len(), &mut list) == 0 {
             let span = r.span();
             list.push(indices_or_error(&r.vector()?.to_array(), span)?);
         }
@@ -367,7 +367,7 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
 }
 
 /// Reads triples of indices from a long list of literals, up to the first invalid one; returns their number.
-fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
+fn append_literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
     r.read_literals(3, most, &mut |found| {
         let triple = to_indices(found);
         list.extend(triple);
@@ -422,7 +422,7 @@ fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Trip
             }
             (Value::Vector(v), span) => {
                 faces.push(indices_or_error(&v.c[..v.len as usize], span)?);
-                literal_triples(r, usize::MAX, &mut faces);
+                append_literal_triples(r, usize::MAX, &mut faces);
                 given = 0;
             }
             (_, span) => {
@@ -466,17 +466,17 @@ fn index_error(what: &str, number: f64, list: &str, length: usize, span: Span) -
 /// mesh.
 fn check_indices(
     numbers: &[[u32; 3]],
-    length: usize,
-    faces: usize,
+    list_length: usize,
+    face_count: usize,
     (what, list): (&str, &str),
     span: Span,
 ) -> Result<()> {
-    if !numbers.is_empty() && numbers.len() != faces {
-        let message = format!("these are for {} triangles, and there are {faces}", numbers.len());
+    if !numbers.is_empty() && numbers.len() != face_count {
+        let message = format!("these are for {} triangles, and there are {face_count}", numbers.len());
         return Diagnostic::err(codes::WRONG_COUNT, span, message);
     }
-    match numbers.iter().flatten().find(|&&i| i as usize >= length) {
-        Some(&i) => Err(index_error(what, f64::from(i), list, length, span).into()),
+    match numbers.iter().flatten().find(|&&i| i as usize >= list_length) {
+        Some(&i) => Err(index_error(what, f64::from(i), list, list_length, span).into()),
         None => Ok(()),
     }
 }

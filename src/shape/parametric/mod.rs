@@ -76,7 +76,7 @@ impl Parametric {
         self.patches.0.get_or_init(|| Patches::new(self))
     }
 
-    fn search(&self, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(Hit)) {
+    fn search(&self, ray: &Ray, range: Range, only_nearer: bool, found: &mut dyn FnMut(Hit)) {
         let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         let (min, max) = (range.min.max(enter), range.max.min(leave));
         if min >= max {
@@ -85,7 +85,7 @@ impl Parametric {
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
         let within = Range { min: min - enter, max: max - enter };
-        self.patches().visit_hits(self, &near, within, nearest, &mut |t, uv| {
+        self.patches().visit_hits(self, &near, within, only_nearer, &mut |t, uv| {
             let t = t + enter;
             if range.contains(t) {
                 found(Hit { t, part: 0, uv });
@@ -124,9 +124,10 @@ impl Readable for Parametric {
 
     const WORDS: &'static [Row<Self>] = &[
         word("accuracy", ValueKind::Float, "0.001", "how small details are that may be lost")
-            .sets(|s, r| set(&mut s.accuracy, super::formula::read_positive(r, "accuracy", 0.001))),
-        word("max_gradient", ValueKind::Float, "1", "how steep the functions are, where durer can't know it")
-            .sets(|s, r| set(&mut s.max_gradient, super::formula::read_positive(r, "max_gradient", 1.0))),
+            .sets(|s, r| set(&mut s.accuracy, super::formula::read_default_unless_positive(r, "accuracy", 0.001))),
+        word("max_gradient", ValueKind::Float, "1", "how steep the functions are, where durer can't know it").sets(
+            |s, r| set(&mut s.max_gradient, super::formula::read_default_unless_positive(r, "max_gradient", 1.0)),
+        ),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

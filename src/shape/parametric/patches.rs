@@ -125,20 +125,20 @@ impl Patches {
         Self { bvh, patches }
     }
 
-    /// Calls `found` with the hits of a ray on the parametric surface in any order; with `nearest`, each that is nearer
+    /// Calls `found` with the hits of a ray on the parametric surface in any order; with `only_nearer`, each that is nearer
     /// than all before.
     pub fn visit_hits(
         &self,
         of: &Parametric,
         ray: &Ray,
         range: Range,
-        nearest: bool,
+        only_nearer: bool,
         found: &mut dyn FnMut(f64, DVec2),
     ) {
         let first = ray.dir.normalize_or_zero().any_orthogonal_vector().normalize_or_zero();
         let across = [first, ray.dir.cross(first).normalize_or_zero()];
         let smallest = (0.25 * of.accuracy).max(5e-5 * of.container.bounds().size().max_element());
-        let line = Line { of, ray, across, range, far: Cell::new(range.max), nearest, smallest };
+        let line = Line { of, ray, across, range, far: Cell::new(range.max), nearest: only_nearer, smallest };
         let mut room = vec![];
         self.bvh.traverse(ray, range, |i, _| {
             line.visit_hits(&self.patches[i], MORE, &mut room, found);

@@ -156,7 +156,7 @@ impl Container {
 }
 
 /// Reads a number above 0; any other number selects the default, as in POV-Ray.
-pub fn read_positive(r: &mut dyn Reader, word: &str, default: f64) -> Result<f64> {
+pub fn read_default_unless_positive(r: &mut dyn Reader, word: &str, default: f64) -> Result<f64> {
     let (at, x) = (r.span(), r.float()?);
     if x > 0.0 {
         return Ok(x);

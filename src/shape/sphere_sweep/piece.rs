@@ -136,13 +136,16 @@ impl Piece {
         holds
     }
 
-    /// Bernstein coefficients of r² - |way|² along the piece of a sphere sweep.
-    fn squared_depth_polynomial<const N: usize, const D: usize>(&self, way: impl Fn(DVec3) -> DVec3) -> Scaled<D> {
+    /// Bernstein coefficients of r² - |offset|² along the piece of a sphere sweep.
+    fn squared_depth_polynomial<const N: usize, const D: usize>(
+        &self,
+        offset_from_center: impl Fn(DVec3) -> DVec3,
+    ) -> Scaled<D> {
         let square = |value: &dyn Fn(usize) -> f64| {
             let scaled = Scaled::<N>::new(&std::array::from_fn(value));
             scaled.times::<N, D>(&scaled)
         };
-        let ways: [DVec3; N] = std::array::from_fn(|k| way(self.centers[k]));
+        let ways: [DVec3; N] = std::array::from_fn(|k| offset_from_center(self.centers[k]));
         let radius2 = square(&|k| self.radii[k]);
         (0..3).fold(radius2, |sum, axis| sum.minus(square(&|k| ways[k][axis]), 1.0))
     }

@@ -23,7 +23,7 @@ impl Builder<'_> {
             }
             Rule::switch => self.switch(pair, context),
             Rule::macro_definition => self.macro_definition(pair),
-            _ => Directive::Plain(Symbol(self.token(&pair).data)),
+            _ => Directive::Plain(Symbol(self.first_token(&pair).data)),
         }
     }
 
@@ -73,15 +73,15 @@ impl Builder<'_> {
         if self.single {
             return None;
         }
-        let local = self.token(&pair).data == 1;
+        let local = self.first_token(&pair).data == 1;
         let (mut deprecated, mut targets) = (None, vec![]);
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::deprecated => {
-                    let tokens = &self.tokens[super::range(&part)];
+                    let tokens = &self.tokens[super::token_range(&part)];
                     let once = tokens.iter().any(|t| self.token_text(*t) == "once");
                     let why = part.into_inner().find(|p| p.as_rule() == Rule::STRING);
-                    deprecated = Some((once, why.map_or("".into(), |s| unescape(self.text_of(&s)))));
+                    deprecated = Some((once, why.map_or("".into(), |s| unescape(self.first_token_text(&s)))));
                 }
                 Rule::targets => targets.extend(part.into_inner().map(|p| self.target(p))),
                 _ => targets.push(self.target(part)),
@@ -98,11 +98,11 @@ impl Builder<'_> {
     fn target(&self, pair: Pair<Rule>) -> Option<Target> {
         let name = self.name(&pair);
         // `local.A` and `global.A` (3.8) are names with a prefix, unless a dictionary is called so: the run knows.
-        let may_be_prefix = matches!(self.text_of(&pair), "local" | "global");
+        let may_be_prefix = matches!(self.first_token_text(&pair), "local" | "global");
         if may_be_prefix && pair.clone().into_inner().next().is_some_and(|part| part.as_rule() == Rule::dot) {
             return None;
         }
-        let keyword = word::reserved(self.text_of(&pair));
+        let keyword = word::reserved(self.first_token_text(&pair));
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {
             // (A call there may be a macro's.)
@@ -121,7 +121,7 @@ impl Builder<'_> {
 
     /// Builds the branches of an `#if` directive. Each branch extends from its directive's word to the next one.
     fn branches_of(&self, pair: Pair<Rule>, context: Context) -> Box<[Branch]> {
-        let (kind, mut branches, mut head) = (self.text_of(&pair), vec![], None);
+        let (kind, mut branches, mut head) = (self.first_token_text(&pair), vec![], None);
         let kind = kind[1..].trim_start().to_string();
         let mut start = pair.as_span().start();
         for part in pair.into_inner() {
@@ -129,7 +129,7 @@ impl Builder<'_> {
             match part.as_rule() {
                 Rule::head => head = Some(part),
                 Rule::otherwise => {
-                    let span = self.tokens_span(start, end);
+                    let span = self.span_of_token_indices(start, end);
                     let body = part.into_inner().next().map_or(Box::default(), |b| self.elements(b, context));
                     branches.push(Branch { span, condition: Condition::Always, body });
                     start = end;
@@ -141,7 +141,7 @@ impl Builder<'_> {
                         ("ifndef", true) => Condition::NotDeclared(given),
                         _ => Condition::True(given),
                     };
-                    let span = self.tokens_span(start, end);
+                    let span = self.span_of_token_indices(start, end);
                     branches.push(Branch { span, condition, body: self.elements(part, context) });
                     start = end;
                 }
@@ -150,8 +150,8 @@ impl Builder<'_> {
         branches.into_boxed_slice()
     }
 
-    fn tokens_span(&self, start: usize, end: usize) -> Span {
-        self.token_span(self.tokens[start]).to(self.token_span(self.tokens[end.max(start + 1) - 1]))
+    fn span_of_token_indices(&self, start_token: usize, end_token: usize) -> Span {
+        self.token_span(self.tokens[start_token]).to(self.token_span(self.tokens[end_token.max(start_token + 1) - 1]))
     }
 
     fn switch(&self, pair: Pair<Rule>, context: Context) -> Directive {
@@ -178,7 +178,7 @@ impl Builder<'_> {
 
     fn macro_definition(&self, pair: Pair<Rule>) -> Directive {
         let (mut head, mut body) = (None, Box::default());
-        let span = self.token_span(self.token(&pair));
+        let span = self.token_span(self.first_token(&pair));
         let second = pair.as_span().start() + 1;
         let named = matches!(self.classes.get(second), Some(&(class::NAME | class::KEYWORD | class::BUILTIN)));
         let name = named.then(|| self.tokens[second]);

@@ -13,14 +13,14 @@ impl Builder<'_> {
     /// Builds an expression; `None` if it is incomplete or contains a directive. Directives are looked for first,
     /// because building their bodies repeatedly would be slow.
     pub(super) fn complete_expr(&self, pair: &Pair<Rule>, context: Context) -> Option<Expr> {
-        if self.holds_directive(&super::range(pair)) && !self.is_whole(pair) {
+        if self.tokens_hold_directive(&super::token_range(pair)) && !self.is_whole(pair) {
             return None;
         }
         self.expr(pair.clone(), context)
     }
 
     /// Returns true if a token of the range is a directive.
-    pub(super) fn holds_directive(&self, range: &Range<usize>) -> bool {
+    pub(super) fn tokens_hold_directive(&self, range: &Range<usize>) -> bool {
         self.classes[range.clone()].iter().any(|class| class.is_ascii_uppercase() || *class == class::PLAIN)
     }
 
@@ -49,7 +49,7 @@ impl Builder<'_> {
         while let Some(part) = inner.next() {
             match part.as_rule() {
                 Rule::operator => {
-                    let op = Operator::from_text(self.text_of(&part))?;
+                    let op = Operator::from_text(self.first_token_text(&part))?;
                     rest.push((op, self.term(inner.next()?, context)?));
                 }
                 _ => choice = Some(part),
@@ -64,7 +64,7 @@ impl Builder<'_> {
 
     /// Builds both branches of a conditional expression from `? yes : no`.
     fn branches(&self, choice: Pair<Rule>, context: Context) -> Option<[Expr; 2]> {
-        let range = super::range(&choice);
+        let range = super::token_range(&choice);
         let mut parts: Vec<Pair<Rule>> = choice.into_inner().collect();
         let no = parts.pop().filter(|p| p.as_rule() == Rule::expr && p.as_span().end() == range.end)?;
         let yes = parts.pop().filter(|p| p.as_rule() == Rule::expr && parts.is_empty())?;
@@ -81,7 +81,7 @@ impl Builder<'_> {
         while let Some(part) = parts.next() {
             value = match (part.as_rule(), value) {
                 (Rule::prefix, _) => {
-                    prefixes.push(self.token(&part));
+                    prefixes.push(self.first_token(&part));
                     None
                 }
                 (Rule::dot, Some(base)) => Some(self.member_access(base, part)),
@@ -146,10 +146,10 @@ impl Builder<'_> {
 
     /// Builds the expression between two brackets; `None` if the brackets contain anything else.
     pub(super) fn expr_in_brackets(&self, brackets: Pair<Rule>, context: Context) -> Option<Expr> {
-        let range = super::range(&brackets);
+        let range = super::token_range(&brackets);
         let mut inner = brackets.into_inner();
         let only = inner.next().filter(|p| p.as_rule() == Rule::expr)?;
-        let own = super::range(&only);
+        let own = super::token_range(&only);
         let alone = own.start == range.start + 1 && own.end + 1 == range.end;
         if alone { self.expr(only, context) } else { None }
     }
@@ -159,16 +159,16 @@ impl Builder<'_> {
         let plain = |kind| Some(Expr { span, calls: false, kind });
         match pair.as_rule() {
             Rule::NUMBER => plain(ExprKind::Number(self.number(&pair))),
-            Rule::LITERAL => plain(ExprKind::Literal(self.list(self.token(&pair)).data)),
-            Rule::STRING => plain(ExprKind::Text(unescape(self.text_of(&pair)))),
-            Rule::name => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
+            Rule::LITERAL => plain(ExprKind::Literal(self.list(self.first_token(&pair)).data)),
+            Rule::STRING => plain(ExprKind::Text(unescape(self.first_token_text(&pair)))),
+            Rule::name => plain(ExprKind::Name(Symbol(self.first_token(&pair).data))),
             Rule::vector => self.vector(pair, context),
             Rule::paren => {
                 let inner = self.expr_in_brackets(pair, context)?;
                 Some(Expr { span, calls: inner.calls, kind: ExprKind::Paren(Box::new(inner)) })
             }
             Rule::call => {
-                let symbol = Symbol(self.token(&pair).data);
+                let symbol = Symbol(self.first_token(&pair).data);
                 Some(Expr { span, calls: true, kind: ExprKind::Call(symbol, self.elements(pair, context)) })
             }
             _ => self.builtin(pair, context),
@@ -177,12 +177,12 @@ impl Builder<'_> {
 
     /// Builds a call of a built-in function, whose arguments have commas between them.
     fn builtin(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
-        let (span, name) = (self.span(&pair), word::word_of_number(self.token(&pair).data));
+        let (span, name) = (self.span(&pair), word::word_of_number(self.first_token(&pair).data));
         let mut arguments = vec![];
         let mut at = pair.as_span().start() + 2;
         let end = pair.as_span().end() - 1;
         for part in pair.into_inner() {
-            let (own, at_span) = (super::range(&part), self.span(&part));
+            let (own, at_span) = (super::token_range(&part), self.span(&part));
             let comma = own.start == at + 1 && self.classes[at] == class::COMMA && !arguments.is_empty();
             if !(comma || own.start == at && arguments.is_empty()) {
                 return None;

@@ -52,12 +52,12 @@ impl<'n> Builder<'n> {
 
     /// Appends the elements of a whole piece of text to `out`.
     pub(super) fn piece(&self, chunk: Pair<Rule>, out: &mut Vec<Element>) {
-        let range = range(&chunk);
+        let range = token_range(&chunk);
         self.append_elements(chunk.into_inner(), range, Context::Script, out);
     }
 
     /// Returns the first token of a parser's pair.
-    fn token(&self, pair: &Pair<Rule>) -> Token {
+    fn first_token(&self, pair: &Pair<Rule>) -> Token {
         self.tokens[pair.as_span().start()]
     }
 
@@ -67,12 +67,12 @@ impl<'n> Builder<'n> {
     }
 
     /// Returns the text of the first token of a parser's pair.
-    fn text_of(&self, pair: &Pair<Rule>) -> &'n str {
-        self.token_text(self.token(pair))
+    fn first_token_text(&self, pair: &Pair<Rule>) -> &'n str {
+        self.token_text(self.first_token(pair))
     }
 
     fn number(&self, pair: &Pair<Rule>) -> f64 {
-        self.numbers[self.token(pair).data as usize]
+        self.numbers[self.first_token(pair).data as usize]
     }
 
     /// Returns the numbers of a token that is a literal vector or a list of literals.
@@ -84,7 +84,7 @@ impl<'n> Builder<'n> {
     fn append_elements(&self, pairs: Pairs<Rule>, range: Range<usize>, context: Context, out: &mut Vec<Element>) {
         let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
-            let own = self::range(&pair);
+            let own = self::token_range(&pair);
             self.attach_or_append_commas(at..own.start, first, out);
             at = own.end;
             self.element(pair, context, out);
@@ -101,7 +101,7 @@ impl<'n> Builder<'n> {
 
     /// Appends the elements between the brackets of a parser's pair, or all elements of a directive's body.
     fn append_inner_elements(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
-        let mut range = range(&pair);
+        let mut range = token_range(&pair);
         match pair.as_rule() {
             Rule::body => {}
             Rule::block | Rule::call | Rule::builtin => range = range.start + 2..range.end - 1,
@@ -112,9 +112,9 @@ impl<'n> Builder<'n> {
 
     /// Processes the commas between two elements: each one sets the flag of the element before, or becomes an element
     /// of its own.
-    fn attach_or_append_commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
-        for i in range.filter(|i| self.classes[*i] == class::COMMA) {
-            let behind = out.len() > first;
+    fn attach_or_append_commas(&self, token_range: Range<usize>, first_in_out: usize, out: &mut Vec<Element>) {
+        for i in token_range.filter(|i| self.classes[*i] == class::COMMA) {
+            let behind = out.len() > first_in_out;
             match out.last_mut() {
                 // What a directive inserts comes before the comma.
                 Some(Element { comma: true, .. } | Element { kind: ElementKind::Comma, .. }) if behind => {}
@@ -140,14 +140,14 @@ impl<'n> Builder<'n> {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
             Rule::SEMICOLON => ElementKind::Semicolon,
-            Rule::keyword | Rule::word => ElementKind::Word(word::word_of_number(self.token(&pair).data)),
+            Rule::keyword | Rule::word => ElementKind::Word(word::word_of_number(self.first_token(&pair).data)),
             Rule::declare => match self.declare(pair.clone()) {
                 Some(declare) => ElementKind::Directive(Box::new(Directive::Declare(declare))),
                 None => return self.declare_pieces(pair, out),
             },
             rule if is_directive(rule) => ElementKind::Directive(Box::new(self.directive(pair, context))),
             _ if self.single => return self.flatten(pair, context, out),
-            Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.token(&pair)))),
+            Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.first_token(&pair)))),
             Rule::expr => match self.complete_expr(&pair, context) {
                 Some(e) => ElementKind::Expr(Box::new(e)),
                 None => return self.flatten(pair, context, out),
@@ -166,12 +166,12 @@ impl<'n> Builder<'n> {
 
     /// Builds a `#declare` without a plain target: the directive, then the tokens up to the `=` as elements.
     fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
-        let (own, token) = (range(&pair), self.token(&pair));
+        let (own, token) = (token_range(&pair), self.first_token(&pair));
         let directive = Directive::DeclarePieces(token.data == 1);
         out.push(Element::new(self.token_span(token), ElementKind::Directive(Box::new(directive))));
         let (first, mut at) = (out.len(), own.start + 1);
         for inner in pair.into_inner() {
-            let within = range(&inner);
+            let within = token_range(&inner);
             self.tokens_as_elements(at..within.start, first, out);
             at = within.end;
             self.flatten(inner, Context::Script, out);
@@ -183,30 +183,32 @@ impl<'n> Builder<'n> {
     /// so does an expression, if `pair` has at most [`SMALL`] tokens or contains a directive.
     fn flatten(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
         let context = if pair.as_rule() == Rule::function { Context::Function } else { context };
-        let (first, own) = (out.len(), range(&pair));
+        let (first, own) = (out.len(), token_range(&pair));
         let mut at = own.start;
         for inner in pair.into_inner() {
-            let within = range(&inner);
+            let within = token_range(&inner);
             self.tokens_as_elements(at..within.start, first, out);
             at = within.end;
             match inner.as_rule() {
                 Rule::block | Rule::group | Rule::function => self.element(inner, context, out),
                 rule if is_directive(rule) => self.element(inner, context, out),
-                Rule::expr if own.len() <= SMALL || self.holds_directive(&own) => self.element(inner, context, out),
+                Rule::expr if own.len() <= SMALL || self.tokens_hold_directive(&own) => {
+                    self.element(inner, context, out)
+                }
                 _ => self.flatten(inner, context, out),
             }
         }
         self.tokens_as_elements(at..own.end, first, out);
     }
 
-    fn tokens_as_elements(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
-        for i in range {
+    fn tokens_as_elements(&self, token_range: Range<usize>, first_in_out: usize, out: &mut Vec<Element>) {
+        for i in token_range {
             let (class, token) = (self.classes[i], self.tokens[i]);
             let (span, text) = (self.token_span(token), self.token_text(token));
             let operand = |kind| ElementKind::Expr(Box::new(Expr { span, calls: false, kind }));
             let kind = match class {
                 class::COMMA => {
-                    self.attach_or_append_commas(i..i + 1, first, out);
+                    self.attach_or_append_commas(i..i + 1, first_in_out, out);
                     continue;
                 }
                 class::KEYWORD | class::BUILTIN | class::FUNCTION | class::DEPRECATED => {
@@ -235,12 +237,12 @@ impl<'n> Builder<'n> {
 
     /// Returns the word at the start of a parser's pair, as a keyword if it is one.
     fn name(&self, pair: &Pair<Rule>) -> Name {
-        let token = self.token(pair);
+        let token = self.first_token(pair);
         Name { word: known_word(self.token_text(token)), span: self.token_span(token) }
     }
 
     fn symbol(&self, pair: &Pair<Rule>) -> Symbol {
-        self.names.intern(self.text_of(pair))
+        self.names.intern(self.first_token_text(pair))
     }
 
     /// Builds a function definition; `None` if its head is incomplete.
@@ -267,7 +269,7 @@ fn is_directive(rule: Rule) -> bool {
 }
 
 /// Returns the range of token indices that a parser's pair covers.
-fn range(pair: &Pair<Rule>) -> Range<usize> {
+fn token_range(pair: &Pair<Rule>) -> Range<usize> {
     let span = pair.as_span();
     span.start()..span.end()
 }

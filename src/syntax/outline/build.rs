@@ -106,32 +106,32 @@ impl Builder {
         self.open(head.map_or(start..start, |token| token.range.clone()), i);
     }
 
-    fn open(&mut self, head: Range<usize>, opener: usize) {
-        let (range, outer) = (self.range(opener), self.open.last().copied());
+    fn open(&mut self, head: Range<usize>, opener_token: usize) {
+        let (range, outer) = (self.range(opener_token), self.open.last().copied());
         let bracket = self.outline.text.as_bytes()[range.start];
         self.open.push(self.outline.pairs.len());
-        self.outline.pairs.push(Pair { bracket, head, range, opener, closer: None, outer });
+        self.outline.pairs.push(Pair { bracket, head, range, opener: opener_token, closer: None, outer });
     }
 
     /// Closes the innermost pair with this opening character that has a partner. Pairs inside it remain unclosed.
-    fn close(&mut self, bracket: u8, closer: usize) {
+    fn close(&mut self, bracket: u8, closer_token: usize) {
         let Outline { pairs, tokens, .. } = &self.outline;
         let is_own = |&pair: &usize| pairs[pair].bracket == bracket && tokens[pairs[pair].opener].class != class::LOOSE;
         let Some(depth) = self.open.iter().rposition(is_own) else { return };
         let own = self.open[depth];
-        self.leave_unclosed(depth, self.range(closer).end);
-        self.outline.pairs[own].closer = Some(closer);
-        self.outline.tokens[closer].pair = Some(own as u32);
+        self.leave_unclosed(depth, self.range(closer_token).end);
+        self.outline.pairs[own].closer = Some(closer_token);
+        self.outline.tokens[closer_token].pair = Some(own as u32);
     }
 
     /// Ends all open pairs but the outermost `depth` ones, without a closing token.
-    fn leave_unclosed(&mut self, depth: usize, end: usize) {
-        self.open.drain(depth..).for_each(|pair| self.outline.pairs[pair].range.end = end);
+    fn leave_unclosed(&mut self, depth: usize, end_byte: usize) {
+        self.open.drain(depth..).for_each(|pair| self.outline.pairs[pair].range.end = end_byte);
     }
 
     fn directive(&mut self, class: u8, i: usize) {
         if class::opens_body(class) {
-            let (word, end) = (self.outline.directive(&self.outline.tokens[i]), self.range(i).end);
+            let (word, end) = (self.outline.directive_word(&self.outline.tokens[i]), self.range(i).end);
             self.open(end - word.len()..end, i);
         }
         match class {
@@ -202,7 +202,7 @@ impl Builder {
     }
 
     fn visit_plain_directive(&mut self, i: usize) {
-        match self.outline.directive(&self.outline.tokens[i]) {
+        match self.outline.directive_word(&self.outline.tokens[i]) {
             "undef" if self.is_name(i + 1) => self.add_use(i + 1, false),
             "include" if self.outline.class(i + 1) == class::STRING => {
                 let Range { start, end } = self.range(i + 1);
@@ -213,15 +213,21 @@ impl Builder {
     }
 
     /// Adds the declaration of a name by a directive.
-    fn declare(&mut self, name: usize, kind: DeclarationKind, directive: usize) {
-        let (range, scope) = (self.range(name), self.macros.last().copied());
-        let whole = self.range(directive).start..range.end;
-        self.outline.declarations.push(Declaration { name: self.outline.word(name).into(), range, kind, scope, whole });
-        self.first_use = name + 1;
+    fn declare(&mut self, name_token: usize, kind: DeclarationKind, directive_token: usize) {
+        let (range, scope) = (self.range(name_token), self.macros.last().copied());
+        let whole = self.range(directive_token).start..range.end;
+        self.outline.declarations.push(Declaration {
+            name: self.outline.word(name_token).into(),
+            range,
+            kind,
+            scope,
+            whole,
+        });
+        self.first_use = name_token + 1;
     }
 
-    fn add_use(&mut self, name: usize, is_read: bool) {
-        self.outline.uses.push(Use { range: self.range(name), is_read, scope: self.macros.last().copied() });
-        self.first_use = name + 1;
+    fn add_use(&mut self, name_token: usize, is_read: bool) {
+        self.outline.uses.push(Use { range: self.range(name_token), is_read, scope: self.macros.last().copied() });
+        self.first_use = name_token + 1;
     }
 }

@@ -140,7 +140,7 @@ impl Outline {
     }
 
     /// Returns the word of a directive's token, without `#`; empty for another token.
-    pub fn directive(&self, token: &Token) -> &str {
+    pub fn directive_word(&self, token: &Token) -> &str {
         let is_blank = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
         self.slice(&token.range).strip_prefix('#').map_or("", |word| word.trim_start_matches(is_blank))
     }

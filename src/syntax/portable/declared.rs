@@ -40,7 +40,7 @@ impl<'a> Declared<'a> {
     }
 
     /// True if the name is a macro whose body ends with a block.
-    pub(super) fn ends_with_block(&self, name: &str) -> bool {
+    pub(super) fn macro_ends_with_block(&self, name: &str) -> bool {
         self.macros.get(name) == Some(&true)
     }
 
@@ -90,6 +90,6 @@ fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
 
 /// True if the text contains a `#version` directive below 3.5, or one without a literal number.
 fn is_old(outline: &Outline) -> bool {
-    let mut versions = (0..outline.tokens.len()).filter(|&at| outline.directive(&outline.tokens[at]) == "version");
+    let mut versions = (0..outline.tokens.len()).filter(|&at| outline.directive_word(&outline.tokens[at]) == "version");
     versions.any(|at| outline.word(at + 1).parse::<f64>().map_or(true, |version| version < 3.5))
 }

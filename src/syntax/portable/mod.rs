@@ -42,22 +42,22 @@ struct Check<'a> {
 
 impl<'a> Check<'a> {
     /// Returns the brackets around a token, the innermost first.
-    fn brackets(&self, token: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
+    fn brackets_around(&self, token: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
         self.outline.pairs_around(token).filter(|pair| pair.bracket != b'#' && pair.closer.is_some())
     }
 
     /// Returns the directives whose bodies contain a token, the innermost first.
-    fn directives(&self, token: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
+    fn directives_around(&self, token: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
         self.outline.pairs_around(token).filter(|pair| pair.bracket == b'#')
     }
 
     fn in_macro(&self, token: usize) -> bool {
-        self.directives(token).any(|pair| self.outline.is_macro(pair))
+        self.directives_around(token).any(|pair| self.outline.is_macro(pair))
     }
 
     /// Returns the word of the block that directly contains a token.
-    fn block(&self, token: usize) -> Option<&'a str> {
-        self.brackets(token).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
+    fn enclosing_block_word(&self, token: usize) -> Option<&'a str> {
+        self.brackets_around(token).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
     }
 
     fn report(&mut self, token: usize, message: String, help: impl Into<String>) {

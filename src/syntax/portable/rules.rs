@@ -60,7 +60,7 @@ impl Check<'_> {
     }
 
     fn check_comma(&mut self, token: usize) {
-        let mut brackets = self.brackets(token);
+        let mut brackets = self.brackets_around(token);
         let Some(open) = brackets.next() else {
             // Between statements; the context of a macro's body is unknown.
             if self.outline.class_before(token) == class::BRACE_END && self.is_statement(token) {
@@ -76,7 +76,7 @@ impl Check<'_> {
             }
             return;
         }
-        let Some(block) = self.block(token) else { return };
+        let Some(block) = self.enclosing_block_word(token) else { return };
         let next = self.outline.class(token + 1);
         // Text that a directive inserts there may need it.
         if is_directive(next) || is_directive(self.outline.class_before(token)) {
@@ -113,20 +113,22 @@ impl Check<'_> {
 
     /// True if the open block has a pattern with a list before this token.
     fn has_list(&self, token: usize) -> bool {
-        let start = self.brackets(token).next().map_or(0, |open| open.opener);
+        let start = self.brackets_around(token).next().map_or(0, |open| open.opener);
         (start..token).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
     }
 
     fn check_semicolon(&mut self, token: usize) {
-        match self.brackets(token).next() {
+        match self.brackets_around(token).next() {
             // `#end;`
-            None if self.outline.class_before(token) == class::END && self.begins_statement(token - 1) => {
+            None if self.outline.class_before(token) == class::END
+                && self.ended_directive_begins_statement(token - 1) =>
+            {
                 self.report(token, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
             }
             // `M();`, where M's last word is none that a `;` may follow
             None if self.outline.class_before(token) == class::PAREN_END
                 && !self.in_macro(token)
-                && self.ends_call_of_object_macro(token) =>
+                && self.follows_object_macro_call(token) =>
             {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
                 self.report(token, message.into(), "leave it out");
@@ -146,7 +148,7 @@ impl Check<'_> {
             }
             // After a directive in the same brackets, the `;` may belong to the directive.
             Some(open) if self.directive < Some(open.opener) => {
-                if let Some(block) = self.block(token).filter(|block| VALUE_BLOCKS.contains(block)) {
+                if let Some(block) = self.enclosing_block_word(token).filter(|block| VALUE_BLOCKS.contains(block)) {
                     self.report(token, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
                 }
             }
@@ -155,7 +157,7 @@ impl Check<'_> {
     }
 
     /// True if the directive that ends with the `#end` at this index begins a statement, and is not part of a value.
-    fn begins_statement(&self, end: usize) -> bool {
+    fn ended_directive_begins_statement(&self, end: usize) -> bool {
         let Some(head) = self.outline.closed_by(end).map(|pair| pair.opener) else { return false };
         head == 0
             || self.outline.class(head - 1) == class::SEMICOLON
@@ -163,14 +165,16 @@ impl Check<'_> {
     }
 
     /// True if the token before this index ends a call of a macro that produces an object, where a statement may begin.
-    fn ends_call_of_object_macro(&self, token: usize) -> bool {
+    fn follows_object_macro_call(&self, token: usize) -> bool {
         let Some(name) = self.outline.closed_by(token - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
         let before = self.outline.class_before(name);
         let starts = matches!(before, 0 | class::SEMICOLON | class::END)
             || before == class::BRACE_END && self.is_statement(name);
-        starts && self.outline.class(name) == class::NAME && self.declared.ends_with_block(self.outline.word(name))
+        starts
+            && self.outline.class(name) == class::NAME
+            && self.declared.macro_ends_with_block(self.outline.word(name))
     }
 
     /// True if the block that ends before this token is a statement, not a value or a part of a macro or a branch.
@@ -187,21 +191,21 @@ impl Check<'_> {
     /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn check_bare_value(&mut self, token: usize) {
         let is_vector = self.outline.class(token) == class::VECTOR;
-        if self.begins_pigment(token) || is_vector && self.is_map_entry(token) {
+        if self.is_first_in_pigment(token) || is_vector && self.is_map_entry(token) {
             let what = if is_vector { "vector" } else { "number" };
             self.report(token, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
         }
     }
 
     /// True if the token is the first one in a pigment's braces.
-    fn begins_pigment(&self, token: usize) -> bool {
-        let open = self.brackets(token).next();
-        self.block(token) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == token)
+    fn is_first_in_pigment(&self, token: usize) -> bool {
+        let open = self.brackets_around(token).next();
+        self.enclosing_block_word(token) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == token)
     }
 
     /// True if the token follows the number of an entry of a colour map.
     fn is_map_entry(&self, token: usize) -> bool {
-        let mut outwards = self.brackets(token);
+        let mut outwards = self.brackets_around(token);
         let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
         entry.bracket == b'['
             && entry.opener + 2 == token
@@ -236,7 +240,7 @@ impl Check<'_> {
         let goes_on = is_keyword(self.outline, end) && !self.outline.word(end).is_empty() && next != class::FUNCTION;
         // (The token that ends a macro may precede the `;` of its call.)
         let ends_branch = matches!(next, class::END | class::ELSE | class::ELSEIF | class::CASE | class::RANGE)
-            && !self.directives(token).next().is_some_and(|inner| self.outline.is_macro(inner));
+            && !self.directives_around(token).next().is_some_and(|inner| self.outline.is_macro(inner));
         if matches!(next, 0 | class::DECLARE | class::PLAIN)
             || ends_branch
             || goes_on && is_statement_word(self.outline.word(end))
@@ -259,8 +263,8 @@ impl Check<'_> {
         if calls || said || is_directive(before) {
             return self.check_durer_word(token);
         }
-        let is_color = self.begins_pigment(token) || self.is_map_entry(token);
-        let block = self.block(token).unwrap_or("");
+        let is_color = self.is_first_in_pigment(token) || self.is_map_entry(token);
+        let block = self.enclosing_block_word(token).unwrap_or("");
         let name = self.outline.word(token);
         match self.declared.kind(name) {
             Some(DeclaredKind::Block(of))
@@ -279,7 +283,9 @@ impl Check<'_> {
 
     /// Reports a word that only durer has.
     fn check_durer_word(&mut self, token: usize) {
-        let (Some(block), Some(open)) = (self.block(token), self.brackets(token).next()) else { return };
+        let (Some(block), Some(open)) = (self.enclosing_block_word(token), self.brackets_around(token).next()) else {
+            return;
+        };
         let name = self.outline.word(token);
         let own = word::durer_words_of_block(block).contains(&name);
         // One message for each block is enough.

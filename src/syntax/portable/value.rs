@@ -26,13 +26,13 @@ pub(super) fn token_after_value(outline: &Outline, token: usize) -> Option<usize
         }
         match outline.class(token) {
             class::PLUS | class::MINUS | class::TIMES | class::OVER => token += 1,
-            _ if is_color(outline, token) => {}
+            _ if is_color_word(outline, token) => {}
             _ => return Some(token),
         }
     }
 }
 
-fn is_color(outline: &Outline, token: usize) -> bool {
+fn is_color_word(outline: &Outline, token: usize) -> bool {
     is_keyword(outline, token) && COLOR_WORDS.contains(&outline.word(token))
 }
 
@@ -43,7 +43,7 @@ fn token_after_operand(outline: &Outline, token: usize) -> Option<usize> {
         class::BUILTIN if STRING_FUNCTIONS.contains(&outline.word(token)) => None,
         class::BUILTIN if outline.class(token + 1) == class::PAREN => token_after_partner(outline, token + 1),
         // `rgb` and its value.
-        _ if is_color(outline, token) => {
+        _ if is_color_word(outline, token) => {
             let behind = token + 1;
             match outline.class(behind) {
                 class::PLUS | class::MINUS => token_after_operand(outline, behind + 1),

@@ -224,14 +224,14 @@ fn spacing_of_count<'a>(
 ) -> f64 {
     let area = |(light, target): (&LightSource, &Target)| {
         let [refracts, reflects] = world.photon_refracts_and_reflects(light, target.settings);
-        let radius = 0.5 * finite_size(&target.bounds, light.emitter.location);
+        let radius = 0.5 * diagonal_or_substitute(&target.bounds, light.emitter.location);
         0.5 * PI * radius * radius * if refracts && reflects { 4.0 } else { 1.0 }
     };
     (pairs.map(area).sum::<f64>() / settings.count.max(1.0)).sqrt()
 }
 
 /// Returns the diagonal of a box, or a replacement for an infinite one.
-fn finite_size(bounds: &Aabb, light: DVec3) -> f64 {
+fn diagonal_or_substitute(bounds: &Aabb, light: DVec3) -> f64 {
     if bounds.is_finite() { bounds.size().length() } else { 2.0 * light.length().max(1.0) }
 }
 
@@ -241,7 +241,7 @@ fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> 
     let (bounds, origin) = (target.bounds, emitter.location + offset);
     let is_finite = bounds.is_finite();
     let center = if is_finite { bounds.center() } else { origin - DVec3::Y * origin.length().max(1.0) };
-    let radius = 0.5 * finite_size(&bounds, origin);
+    let radius = 0.5 * diagonal_or_substitute(&bounds, origin);
     let (bundle, origin, ahead, extent, unit, distance) = if emitter.is_parallel() {
         // Start in the plane of the light, or before the target if that is behind the light.
         let ahead = emitter.axis();

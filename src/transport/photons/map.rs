@@ -149,7 +149,7 @@ impl PhotonMap {
     }
 }
 
-/// WordsByKind photons into the order of the tree, and stores the axes of the divisions.
+/// Sorts photons into the order of the tree, and stores the axes of the divisions.
 fn divide(photons: &mut [Photon], axes: &mut [u8]) {
     if photons.len() <= LEAF || cancel::is_cancelled() {
         return;
@@ -185,9 +185,9 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Searches the photons of a range of the tree. `apart` is the distance of the point from the range's part of space along
+    /// Searches the photons of a range of the tree. `axis_distances` is the distance of the point from the range's part of space along
     /// each axis (S. Arya and D. M. Mount, "Algorithms for fast vector quantization", 1993).
-    fn visit(&mut self, from: usize, to: usize, apart: [f32; 3]) {
+    fn visit(&mut self, from: usize, to: usize, axis_distances: [f32; 3]) {
         if to - from <= LEAF {
             return self.visit_leaf(from, to);
         }
@@ -196,8 +196,8 @@ impl Search<'_> {
         let beyond = self.p[axis] - self.map.positions[axis][middle];
         let (near, far) =
             if beyond < 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
-        self.visit(near.0, near.1, apart);
-        let mut apart_of_far = apart;
+        self.visit(near.0, near.1, axis_distances);
+        let mut apart_of_far = axis_distances;
         apart_of_far[axis] = beyond;
         let [x, y, z] = apart_of_far;
         if x * x + y * y + z * z < self.limit {

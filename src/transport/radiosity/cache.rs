@@ -153,7 +153,7 @@ impl RadiosityCache {
 
 /// Returns the weight with which a radiosity sample is reused at a point: it falls to 0 at the maximum error; `None`
 /// beyond.
-fn weight(sample: &Sample, query: &Query, inverse_bound: f64) -> Option<f64> {
+fn weight(sample: &Sample, query: &Query, inverse_error_bound: f64) -> Option<f64> {
     let between = query.point - sample.point;
     let distance2 = between.length_squared();
     let reach = sample.radius * query.error_bound;
@@ -167,7 +167,7 @@ fn weight(sample: &Sample, query: &Query, inverse_bound: f64) -> Option<f64> {
     }
     let error = distance2.sqrt() / sample.radius + (1.0 - cos).max(0.0).sqrt();
     // The sample itself has no error: a lower limit keeps the weight finite.
-    let weight = 1.0 / error.max(1e-6) - inverse_bound;
+    let weight = 1.0 / error.max(1e-6) - inverse_error_bound;
     (weight > 0.0).then_some(weight)
 }
 

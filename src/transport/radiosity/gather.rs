@@ -144,7 +144,7 @@ impl Tracer<'_> {
         let n = count as f64;
         let eye = at.point.distance(radiosity.eye);
         let harmonic = n / inverse_distances;
-        let [minimum, maximum] = settings.reuse_radius_limits();
+        let [minimum, maximum] = settings.relative_reuse_radius_limits();
         let radius = harmonic.clamp(minimum * eye, maximum * eye);
         // (A camera on the surface, and a distance that is not a number, leave no radius.)
         let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(maximum * 1e-6) };

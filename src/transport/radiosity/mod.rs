@@ -45,10 +45,10 @@ pub enum RadiosityPass {
 /// Minimum number of rays of a sample after the first bounce.
 const MIN_DEEPER_COUNT: u32 = 8;
 
-/// Returns the number of rays that are traced for a radiosity sample after `depth` diffuse bounces: `count`, halved at
+/// Returns the number of rays that are traced for a radiosity sample after `bounces` diffuse bounces: `count`, halved at
 /// each bounce, down to a minimum.
-fn ray_count(settings: &Radiosity, depth: u32) -> u32 {
-    (settings.count >> depth.min(31)).max(MIN_DEEPER_COUNT).min(settings.count)
+fn ray_count(settings: &Radiosity, bounces: u32) -> u32 {
+    (settings.count >> bounces.min(31)).max(MIN_DEEPER_COUNT).min(settings.count)
 }
 
 impl<'w> RadiosityState<'w> {
@@ -93,9 +93,9 @@ impl<'w> RadiosityState<'w> {
         }
     }
 
-    /// Returns the directions from which a sample after `depth` bounces chooses its rays.
-    fn directions(&self, depth: u8) -> &[DVec3] {
-        let list = self.directions.get(usize::from(depth)).or(self.directions.last());
+    /// Returns the directions from which a sample after `bounces` bounces chooses its rays.
+    fn directions(&self, bounces: u8) -> &[DVec3] {
+        let list = self.directions.get(usize::from(bounces)).or(self.directions.last());
         list.map_or(&[], |list| list)
     }
 
@@ -108,8 +108,8 @@ impl<'w> RadiosityState<'w> {
     }
 
     /// Returns the number of radiosity samples near a point below which a new one is computed in the present pass.
-    fn wanted_sample_count(&self, depth: u8) -> u32 {
-        let nearest = (self.settings.nearest_count >> (2 * depth).min(31)).max(1);
+    fn wanted_sample_count(&self, bounces: u8) -> u32 {
+        let nearest = (self.settings.nearest_count >> (2 * bounces).min(31)).max(1);
         match self.pass {
             RadiosityPass::Collect => nearest,
             RadiosityPass::FillGaps if self.settings.always_sample => nearest,

@@ -68,9 +68,9 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
                 ObjectKind::Shape(shape)
                     if object.uncommon.bounded_by.is_some() && shape.quirks().bounding != Bounding::Exact =>
                 {
-                    solid
-                        .node
-                        .bounded_by_box(Some(object.pov_bounds()).filter(|_| shape.quirks().bounding == Bounding::Box))
+                    solid.node.with_bounds_replaced_by_box(
+                        Some(object.pov_bounds()).filter(|_| shape.quirks().bounding == Bounding::Box),
+                    )
                 }
                 _ => solid.node,
             };
@@ -209,7 +209,7 @@ impl Lowering {
     /// Lowers an object; `None` for lights and empty groups, which rays cannot hit.
     fn lower_object(&mut self, object: &Object, inherited: &Inherited) -> Result<Option<Solid>> {
         let own = self.inherited_by_parts(object, inherited)?;
-        let clip = self.lower_clip(object, inherited)?;
+        let clip = self.lower_clipping_objects(object, inherited)?;
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
             ObjectKind::Shape(shape) => {
@@ -230,7 +230,7 @@ impl Lowering {
         if clips && !clip.is_empty() {
             node = node.clipped(clip);
         }
-        Ok(Some(Solid { node: node.bounded(self.lower_bounds(object, inherited)?), opaque }))
+        Ok(Some(Solid { node: node.bounded(self.lower_bounding_objects(object, inherited)?), opaque }))
     }
 
     /// Returns the properties that the parts of an object inherit.
@@ -264,10 +264,10 @@ impl Lowering {
         })
     }
 
-    /// Adds the photon settings of an object in a group with the settings number `group`, and returns their number.
-    fn add_photon_settings(&mut self, object: &Object, group: u32) -> u32 {
-        let Some(own) = object.uncommon.photons else { return group };
-        let settings = own.inherit(self.photons.get(group as usize).copied().unwrap_or_default());
+    /// Adds the photon settings of an object in a group with the settings number `group_settings`, and returns their number.
+    fn add_photon_settings(&mut self, object: &Object, group_settings: u32) -> u32 {
+        let Some(own) = object.uncommon.photons else { return group_settings };
+        let settings = own.inherit(self.photons.get(group_settings as usize).copied().unwrap_or_default());
         let known = self.photons.iter().position(|other| *other == settings);
         let number = known.unwrap_or(self.photons.len());
         if number == self.photons.len() {
@@ -309,18 +309,22 @@ impl Lowering {
     }
 
     /// Lowers the objects of `clipped_by`.
-    fn lower_clip(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
-        self.lower_around(object.uncommon.clipped_by.as_deref(), inherited)
+    fn lower_clipping_objects(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
+        self.lower_in_surrounding_space(object.uncommon.clipped_by.as_deref(), inherited)
     }
 
     /// Lowers the objects of `bounded_by`, unless they clip as well.
-    fn lower_bounds(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
+    fn lower_bounding_objects(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
         let (clipped_by, bounded_by) = (&object.uncommon.clipped_by, &object.uncommon.bounded_by);
-        self.lower_around(bounded_by.as_deref().filter(|_| bounded_by != clipped_by), inherited)
+        self.lower_in_surrounding_space(bounded_by.as_deref().filter(|_| bounded_by != clipped_by), inherited)
     }
 
     /// Lowers objects in the space around another object.
-    fn lower_around(&mut self, parts: Option<&[Object]>, inherited: &Inherited) -> Result<Vec<SolidNode>> {
+    fn lower_in_surrounding_space(
+        &mut self,
+        parts: Option<&[Object]>,
+        inherited: &Inherited,
+    ) -> Result<Vec<SolidNode>> {
         let mut all = vec![];
         for part in parts.into_iter().flatten() {
             all.extend(self.lower_object(part, inherited)?.map(|solid| solid.node));
@@ -334,17 +338,17 @@ impl Lowering {
             return not_finite_error(object.source);
         }
         self.has_origin_dependent_hits |= shape.quirks().hits_depend_on_origin;
-        let look = own.texture.clone().unwrap_or_else(|| self.default_look());
-        let outside = self.lower_look(&look);
+        let look = own.texture.clone().unwrap_or_else(|| self.default_placed_texture());
+        let outside = self.lower_placed_texture(&look);
         let hides_inside = shape.quirks().embedded_textures_on_both_sides && object.uncommon.embedded.is_some();
         let inside = own.inside.as_ref().filter(|_| !hides_inside);
-        let inside = inside.map(|look| self.lower_look(look));
+        let inside = inside.map(|look| self.lower_placed_texture(look));
         let embedded = object.uncommon.embedded.iter().flat_map(|all| all.iter());
         let embedded: Box<[PlacedMaterial]> = embedded
             .map(|painted| {
                 let along = shape.quirks().moves_embedded_textures;
                 let transform = if along { own.place.now.clone() } else { own.place.texture_transform_of(object) };
-                self.lower_look(&PlacedTexture { texture: painted.texture.clone(), transform })
+                self.lower_placed_texture(&PlacedTexture { texture: painted.texture.clone(), transform })
             })
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
@@ -399,11 +403,11 @@ impl Lowering {
     }
 
     /// Returns the default texture with its transform, for shapes that have none.
-    fn default_look(&self) -> PlacedTexture {
+    fn default_placed_texture(&self) -> PlacedTexture {
         PlacedTexture { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
     }
 
-    fn lower_look(&mut self, look: &PlacedTexture) -> PlacedMaterial {
+    fn lower_placed_texture(&mut self, look: &PlacedTexture) -> PlacedMaterial {
         let Self { textures, shared, materials, .. } = self;
         let material = *textures.get_or_lower(&look.texture, |texture| {
             materials.push(Material::new(texture, shared));
@@ -432,7 +436,8 @@ impl Lowering {
             match (&part.kind, look) {
                 (ObjectKind::Csg(op, parts), look) => self.collect_cutaway_materials(*op, parts, &place, look, out)?,
                 (ObjectKind::Shape(shape), look) if look.is_some() || any => {
-                    let placed = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
+                    let placed =
+                        self.lower_placed_texture(&look.cloned().unwrap_or_else(|| self.default_placed_texture()));
                     let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.now, 0), 0);
                     out.push((if part.uncommon.flags.inverse { node.inverted() } else { node }, placed));
                 }

@@ -20,8 +20,8 @@ impl SolidNode {
 
     /// Replaces the node's bounding solids by one box, or removes them for `None`; a node without bounding solids stays
     /// unchanged.
-    pub fn bounded_by_box(mut self, around: Option<Aabb>) -> Self {
-        if self.take_bounds().is_empty() {
+    pub fn with_bounds_replaced_by_box(mut self, around: Option<Aabb>) -> Self {
+        if self.take_bounding_solids().is_empty() {
             return self;
         }
         self.add_clips_and_bounds(vec![], Box::default());

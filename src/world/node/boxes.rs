@@ -126,7 +126,7 @@ impl SolidNode {
         }
         // A child is relevant to a ray within the box of its surface, and to a point where it can be the exception.
         let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
-            SolidKind::Intersection(_) => boxes.surface.union(c.outside_box()),
+            SolidKind::Intersection(_) => boxes.surface.union(c.bounds_of_outside()),
             _ => boxes.surface.union(boxes.solid),
         };
         let is_known = |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.has_no_clips_or_bounds() && leaf.shape.computes_crossings());
@@ -143,13 +143,13 @@ impl SolidNode {
 
     /// Adds clipping and bounding solids to the node, and recomputes the boxes around its surface and its inside.
     pub(super) fn add_clips_and_bounds(&mut self, clips: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
-        let bounds = self.take_bounds().into_iter().chain(bounds).collect();
-        let clip = self.take_clip().into_iter().chain(clips).collect();
+        let bounds = self.take_bounding_solids().into_iter().chain(bounds).collect();
+        let clip = self.take_clipping_solids().into_iter().chain(clips).collect();
         self.set_solids_and_boxes(clip, bounds, Box::default());
     }
 
     /// Returns a box around all points that are outside of the solid; finite for an inverted shape.
-    fn outside_box(&self) -> Aabb {
+    fn bounds_of_outside(&self) -> Aabb {
         match &self.kind {
             _ if !self.has_no_clips_or_bounds() => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse => {
@@ -157,10 +157,10 @@ impl SolidNode {
             }
             SolidKind::Leaf(_) => self.bounds(),
             SolidKind::Intersection(children) => {
-                children.iter().map(SolidNode::outside_box).fold(Aabb::EMPTY, Aabb::union)
+                children.iter().map(SolidNode::bounds_of_outside).fold(Aabb::EMPTY, Aabb::union)
             }
             SolidKind::Union(children) | SolidKind::Merge(children) => {
-                children.iter().map(SolidNode::outside_box).fold(Aabb::INFINITE, Aabb::intersection)
+                children.iter().map(SolidNode::bounds_of_outside).fold(Aabb::INFINITE, Aabb::intersection)
             }
         }
     }

@@ -182,7 +182,7 @@ impl SolidNode {
         self.composite.as_ref().map_or(&[], |composite| &composite.bounds)
     }
 
-    fn take_bounds(&mut self) -> Box<[SolidNode]> {
+    fn take_bounding_solids(&mut self) -> Box<[SolidNode]> {
         self.composite.as_mut().map_or_else(Box::default, |composite| std::mem::take(&mut composite.bounds))
     }
 
@@ -194,7 +194,7 @@ impl SolidNode {
         self.composite.as_ref().map_or(&[], |composite| &composite.unseen)
     }
 
-    fn take_clip(&mut self) -> Box<[SolidNode]> {
+    fn take_clipping_solids(&mut self) -> Box<[SolidNode]> {
         self.composite.take().map_or_else(Box::default, |composite| composite.clip)
     }
 
@@ -204,16 +204,16 @@ impl SolidNode {
             SolidKind::Leaf(_) => true,
             _ => self.composite.as_ref().is_some_and(|composite| composite.boxes.solid.contains(p)),
         };
-        if !is_near || !self.in_clip(p) {
+        if !is_near || !self.is_inside_all_clips(p) {
             return false;
         }
         match &self.kind {
             SolidKind::Leaf(leaf) => leaf.inside(p),
             SolidKind::Union(_) | SolidKind::Merge(_) => {
-                !self.all_other_children(p, usize::MAX, |_, c| !c.inside(p))
+                !self.all_other_children_near(p, usize::MAX, |_, c| !c.inside(p))
                     || self.invisible_parts().iter().any(|c| c.inside(p))
             }
-            SolidKind::Intersection(_) => self.all_other_children(p, usize::MAX, |_, c| c.inside(p)),
+            SolidKind::Intersection(_) => self.all_other_children_near(p, usize::MAX, |_, c| c.inside(p)),
         }
     }
 
@@ -232,7 +232,7 @@ impl SolidNode {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
                 if !self.clip().is_empty() {
-                    let Some(range) = self.within_clip(ray, range) else { return };
+                    let Some(range) = self.range_in_box_and_clips(ray, range) else { return };
                     leaf.hits_in_csg(ray, range, &mut hits);
                 } else if in_csg {
                     leaf.hits_in_csg(ray, range, &mut hits);
@@ -242,7 +242,7 @@ impl SolidNode {
                 out.extend(hits.iter().map(|hit| Intersection::new(*hit, leaf, self.object)));
             }
             SolidKind::Union(_) => {
-                self.each_child(ray, range, |_, child, range| {
+                self.each_child_on_ray(ray, range, |_, child, range| {
                     child.hits_as(in_csg, ray, range, out);
                     range
                 });
@@ -257,7 +257,7 @@ impl SolidNode {
             }
         }
         if !self.clip().is_empty() {
-            retain_from(out, first, |found| self.in_clip(ray.at(found.hit.t)));
+            retain_from(out, first, |found| self.is_inside_all_clips(ray.at(found.hit.t)));
         }
     }
 
@@ -269,7 +269,7 @@ impl SolidNode {
                 leaf.hits(ray, range, &mut hits);
                 hits.into_iter().for_each(|hit| visit(Intersection::new(hit, leaf, self.object)));
             }
-            _ => self.each_child(ray, range, |_, child, range| {
+            _ => self.each_child_on_ray(ray, range, |_, child, range| {
                 child.visit_shape_hits(ray, range, visit);
                 range
             }),
@@ -319,7 +319,7 @@ impl SolidNode {
                 all.iter().min_by(|a, b| a.t().total_cmp(&b.t())).copied()
             }
             SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_union(ray, range),
-            SolidKind::Union(_) => self.closest_of_clipped(ray, range),
+            SolidKind::Union(_) => self.closest_of_clipped_union(ray, range),
             _ if self.composite.as_ref().is_some_and(|composite| composite.convex_parts) => {
                 self.closest_of_convex_parts(ray, range)
             }
@@ -330,7 +330,7 @@ impl SolidNode {
     fn closest_of_convex_parts<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let (min, max) = self.distances_through_box(ray, range)?;
         let merged = matches!(self.kind, SolidKind::Merge(_));
-        let shows = |t| self.in_clip(ray.at(t));
+        let shows = |t| self.is_inside_all_clips(ray.at(t));
         match convex_interval::nearest_end_and_leaf(self.children(), merged, ray, Range { min, max }, shows) {
             Ok(nearest) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
             Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range),
@@ -339,7 +339,7 @@ impl SolidNode {
 
     fn closest_of_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<Intersection> = None;
-        self.each_child(ray, range, |_, child, range| match child.closest(ray, range) {
+        self.each_child_on_ray(ray, range, |_, child, range| match child.closest(ray, range) {
             Some(found) if best.is_none_or(|best| found.wins_against(&best)) => {
                 best = Some(found);
                 Range { max: found.t().next_up(), ..range }
@@ -351,16 +351,16 @@ impl SolidNode {
 
     /// Returns the closest hit of a clipped union: the first one that is not clipped away. Of several hits at one point
     /// the last part wins (quirk: `last_part_wins`).
-    fn closest_of_clipped<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+    fn closest_of_clipped_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<(usize, Intersection)> = None;
         let mut hits = Intersections::new();
-        self.each_child(ray, range, |i, child, range| {
+        self.each_child_on_ray(ray, range, |i, child, range| {
             hits.clear();
             child.hits(ray, range, &mut hits);
             for found in &hits {
                 let before =
                     |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
-                if best.is_none_or(before) && self.in_clip(ray.at(found.t())) {
+                if best.is_none_or(before) && self.is_inside_all_clips(ray.at(found.t())) {
                     best = Some((i, *found));
                 }
             }
@@ -375,7 +375,7 @@ impl SolidNode {
         all.reserve_intervals(children.len());
         let only_inside = matches!(self.kind, SolidKind::Intersection(_));
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
-        self.each_child(ray, range, |i, child, range| {
+        self.each_child_on_ray(ray, range, |i, child, range| {
             met.push(i as u32);
             all.set_interval_and_narrow(i, child, ray, range, only_inside)
         });
@@ -389,13 +389,18 @@ impl SolidNode {
         // quirk: last_part_wins
         all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(j.cmp(i)));
         let kept = all.hits.iter().find(|(found, child)| {
-            self.is_on_surface(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
+            self.is_on_surface(&all, *child as usize, ray, found.t()) && self.is_inside_all_clips(ray.at(found.t()))
         });
         kept.map(|(found, _)| Intersection { object: self.object, ..*found })
     }
 
     /// Calls `visit` with each child that the ray can hit. `visit` returns the range in which further hits count.
-    fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a SolidNode, Range) -> Range) {
+    fn each_child_on_ray<'a>(
+        &'a self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(usize, &'a SolidNode, Range) -> Range,
+    ) {
         let children = self.children();
         let Some((min, max)) = self.distances_through_box(ray, range) else { return };
         let mut range = Range { min, max };
@@ -414,7 +419,7 @@ impl SolidNode {
 
     /// True if the condition holds for all children except child `but`. Children far from the point are skipped, so the
     /// condition must be true for them.
-    fn all_other_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
+    fn all_other_children_near(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
         let children = self.children();
         let fine = |i: usize| i == but || condition(i, &children[i]);
         match self.child_bvh() {
@@ -432,8 +437,8 @@ impl SolidNode {
         let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
         match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => true,
-            SolidKind::Intersection(_) => self.all_other_children(ray.at(t), child, inside),
-            SolidKind::Merge(_) => self.all_other_children(ray.at(t), child, |i, c| !inside(i, c)),
+            SolidKind::Intersection(_) => self.all_other_children_near(ray.at(t), child, inside),
+            SolidKind::Merge(_) => self.all_other_children_near(ray.at(t), child, |i, c| !inside(i, c)),
         }
     }
 
@@ -444,12 +449,12 @@ impl SolidNode {
         composite.boxes.surface.slabs(ray, range)
     }
 
-    fn in_clip(&self, p: DVec3) -> bool {
+    fn is_inside_all_clips(&self, p: DVec3) -> bool {
         self.clip().iter().all(|c| c.inside(p))
     }
 
     /// Returns the part of the range in the box and in those clipping solids that know their interval.
-    fn within_clip(&self, ray: &Ray, range: Range) -> Option<Range> {
+    fn range_in_box_and_clips(&self, ray: &Ray, range: Range) -> Option<Range> {
         let (min, max) = self.distances_through_box(ray, range)?;
         let within =
             self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::range_inside(c, ray, range));

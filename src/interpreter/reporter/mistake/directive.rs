@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns the word after the `#` at the fault, and the rest of the line.
 fn directive_and_rest<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
-    let rest = source.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
+    let rest = source.rest_from_fault().strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
@@ -67,7 +67,7 @@ pub(super) fn assignment_after_hash(source: &SourceLine, d: &Diagnostic) -> Opti
 /// Recognizes the mistake `# the red ball` for a comment.
 pub(super) fn comment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     unknown_directive_and_rest(source, d).filter(|_| d.help.is_none())?;
-    let text = source.after().trim_end();
+    let text = source.rest_from_fault().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
     let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
     Some(CommonMistake::help(help).range(source.range_of(text)))
@@ -92,8 +92,8 @@ pub(super) fn misspelt_directive(source: &SourceLine, d: &Diagnostic) -> Option<
 
 /// Recognizes the mistake `#else if (A)` for `#elseif`.
 pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let before = source.before().trim_end();
-    let rest = source.after().strip_prefix("if")?.trim_start();
+    let before = source.before_fault().trim_end();
+    let rest = source.rest_from_fault().strip_prefix("if")?.trim_start();
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
     let habit = CommonMistake::help(format!("write `#elseif {}`", without_comment(rest)));
     let start = source.line.start + before.rfind('#')?;
@@ -103,7 +103,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMista
 
 /// Recognizes the mistake `for (int i = 0; i < 10; i++) {`, with or without `#`.
 pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let statement = source.statement();
+    let statement = source.line_without_comment();
     let bare = !statement.starts_with('#');
     let head = statement.trim_start_matches('#').trim_start().strip_prefix("for")?.trim_start().strip_prefix('(')?;
     let head = head.split(')').next().unwrap_or_default();
@@ -125,7 +125,7 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
     let by = if step < 0 { ", -1" } else { "" };
     let habit = CommonMistake::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
-    let start = source.statement_start();
+    let start = source.line_text_start();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
     Some(habit.code(codes::SYNTAX).leaves_undeclared(counter))
@@ -133,7 +133,7 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
 
 /// Recognizes the mistake `#include colors.inc`, a file name without quotes.
 pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let rest = source.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
+    let rest = source.line_without_comment().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
     if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || source.at < source.range_of(typed).start {
         return None;
@@ -152,9 +152,9 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
 
 /// Recognizes the mistake `#macro Ball(R) {`, with braces around the body.
 pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let statement = source.statement();
-    let head = source.before().trim();
-    if d.code != codes::EXPECTED || !source.after().starts_with('{') || !head.starts_with('#') {
+    let statement = source.line_without_comment();
+    let head = source.before_fault().trim();
+    if d.code != codes::EXPECTED || !source.rest_from_fault().starts_with('{') || !head.starts_with('#') {
         return None;
     }
     let (word, _) = split_leading_name(head.trim_start_matches('#').trim_start())?;
@@ -169,9 +169,9 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
 
 /// Recognizes the mistakes `macro Ball(R)`, `if (A = 1)` and `def Ball(r):`, without `#`.
 pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let statement = source.statement();
+    let statement = source.line_without_comment();
     let (word, rest) = split_leading_name(statement)?;
-    if source.at != source.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {
+    if source.at != source.line_text_start() || d.code == codes::UNKNOWN_DIRECTIVE {
         return None;
     }
     let typed = rest.trim_start();

@@ -87,7 +87,8 @@ impl Reporter<'_> {
     /// Records the names and files that an error leaves undeclared or unread.
     fn record_consequences(&mut self, d: &Diagnostic, source: &SourceLine) {
         let text = self.inputs.sources.snippet(d.span());
-        let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(split_leading_name);
+        let directive =
+            source.line_without_comment().strip_prefix('#').map(str::trim_start).and_then(split_leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
             && let Some((name, _)) = split_leading_name(rest.trim_start())
         {
@@ -107,7 +108,10 @@ impl Reporter<'_> {
 
     /// True if an error is a consequence of an earlier one.
     fn is_consequence(&self, d: &Diagnostic, source: &SourceLine) -> bool {
-        if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
+        if d.code == codes::UNMATCHED_CLOSER
+            && self.mistakes.lost_directive
+            && source.rest_from_fault().starts_with("#end")
+        {
             return true;
         }
         if let Some(cause) = &d.cause {
@@ -118,12 +122,12 @@ impl Reporter<'_> {
     }
 
     /// True if the name is undeclared only because of earlier errors.
-    fn is_undeclared_by_error(&self, name: &str, user: FileId) -> bool {
+    fn is_undeclared_by_error(&self, name: &str, using_file: FileId) -> bool {
         let gives = |(file, includer): &(String, FileId)| match library::is_standard_include(file) {
             true => library::declares(file, name),
             // The contents of the author's own missing file are unknown: it may declare any name in the file that
             // includes it.
-            false => *includer == user && library::standard_file_of(name).is_none(),
+            false => *includer == using_file && library::standard_file_of(name).is_none(),
         };
         self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
     }

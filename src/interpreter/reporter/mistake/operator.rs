@@ -47,8 +47,8 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Com
 
 /// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
 pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, right) = split_leading_name(source.after())?;
-    let left = source.before().trim_end();
+    let (word, right) = split_leading_name(source.rest_from_fault())?;
+    let left = source.before_fault().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
     let habit = match word.to_ascii_lowercase().as_str() {
         "and" => CommonMistake::help(message("&", "the logical and")),
@@ -77,8 +77,8 @@ fn operand(text: &str) -> &str {
 
 /// Recognizes the mistake `phong = 0.5`, with a sign between word and value.
 pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
-    let (before, word) = split_trailing_name(source.before().trim_end())?;
+    let value = source.rest_from_fault().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
+    let (before, word) = split_trailing_name(source.before_fault().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
     let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
     let habit = CommonMistake::help(format!("a value directly follows its word: `{word} {value}`"));
@@ -128,13 +128,13 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
     if d.code != codes::EXPECTED {
         return None;
     }
-    let before = source.before().trim_end().strip_suffix(',')?;
+    let before = source.before_fault().trim_end().strip_suffix(',')?;
     let start = before.trim_end_matches(|c: char| c.is_ascii_digit() || " .,-+".contains(c)).len();
     let (_, word) = split_trailing_name(&before[..start])?;
     if !matches!(word, "translate" | "rotate" | "scale" | "location" | "look_at" | "rgb") {
         return None;
     }
-    let rest = without_comment(source.after());
+    let rest = without_comment(source.rest_from_fault());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
     let habit = CommonMistake::help(format!(
@@ -146,10 +146,10 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
 
 /// Recognizes the mistake `rgb(1, 0, 0)`, a colour in parentheses.
 pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
+    let inside = source.rest_from_fault().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
     let plain = numbers.contains(',') && !numbers.contains('(');
-    let word = split_trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
+    let word = split_trailing_name(source.before_fault().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
     let help = format!("vectors are written in angle brackets: `{word}{space}<{}>`", numbers.trim());
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| CommonMistake::help(help))
@@ -157,8 +157,10 @@ pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option
 
 /// Recognizes the mistake `sphere { [0, 1, 2], 1 }`, with square brackets.
 pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let inside =
-        source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
+    let inside = source
+        .rest_from_fault()
+        .strip_prefix('[')
+        .filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
     Some(CommonMistake::help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
 }

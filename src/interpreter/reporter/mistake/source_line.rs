@@ -31,22 +31,22 @@ impl<'t> SourceLine<'t> {
     }
 
     /// Returns the source line up to the fault's span.
-    pub(super) fn before(&self) -> &'t str {
+    pub(super) fn before_fault(&self) -> &'t str {
         &self.text[self.line.start..self.at]
     }
 
     /// Returns the source line from the fault's span on.
-    pub(super) fn after(&self) -> &'t str {
+    pub(super) fn rest_from_fault(&self) -> &'t str {
         &self.text[self.at..self.line.end]
     }
 
     /// Returns the source line without comment and surrounding blanks.
-    pub(super) fn statement(&self) -> &'t str {
+    pub(super) fn line_without_comment(&self) -> &'t str {
         without_comment(&self.text[self.line.clone()])
     }
 
-    /// Returns the offset of [`Self::statement`] in the source file.
-    pub(super) fn statement_start(&self) -> usize {
+    /// Returns the offset of [`Self::line_without_comment`] in the source file.
+    pub(super) fn line_text_start(&self) -> usize {
         let line = &self.text[self.line.clone()];
         self.line.start + line.len() - line.trim_start().len()
     }

@@ -7,7 +7,7 @@ use crate::syntax::word::lookup;
 
 /// Returns the name at the start of the line, and the text after it; `None` for a keyword.
 fn split_leading_non_keyword<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
-    split_leading_name(source.statement())
+    split_leading_name(source.line_without_comment())
         .filter(|(name, _)| lookup(name).is_none())
         .map(|(name, rest)| (name, rest.trim_start()))
 }
@@ -28,7 +28,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
 pub(super) fn in_place_assignment(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = split_leading_non_keyword(source)?;
-    let start = source.statement_start();
+    let start = source.line_text_start();
     let typed = rest.trim_end_matches(';').trim_end();
     let (sign, value, length) = match typed {
         "++" => ("+", "1".to_string(), 2),
@@ -46,11 +46,11 @@ pub(super) fn in_place_assignment(source: &SourceLine, _: &Diagnostic) -> Option
 
 /// Recognizes the mistake `float A = 2;` or `let A = 2;` for a declaration.
 pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let (kind, rest) = split_leading_name(source.statement())?;
+    let (kind, rest) = split_leading_name(source.line_without_comment())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
     let (name, rest) = split_leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
     let value = rest.trim_start().strip_prefix('=')?;
-    let start = source.statement_start();
+    let start = source.line_text_start();
     let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).range(start..start + kind.len());
     Some(habit.code(codes::SYNTAX).leaves_undeclared(name))
@@ -70,7 +70,7 @@ pub(super) fn assignment_without_declare(source: &SourceLine, d: &Diagnostic) ->
 
 /// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
 pub(super) fn modifier_behind_object(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, _) = split_leading_name(source.after())?;
+    let (word, _) = split_leading_name(source.rest_from_fault())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
         return None;
     }
@@ -79,11 +79,11 @@ pub(super) fn modifier_behind_object(source: &SourceLine, d: &Diagnostic) -> Opt
     let before = source.text[..source.at].trim_end();
     let message = |what: &str| format!("`{word}` follows {what}, which is complete");
     if let Some((_, name)) = split_trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
-        let rest = value_text(source.after());
+        let rest = value_text(source.rest_from_fault());
         let habit = CommonMistake::help(format!("write `object {{ {name} {rest} }}`"));
         return Some(habit.message(message(&format!("the object `{name}`"))));
     }
-    let typed = value_text(source.after());
+    let typed = value_text(source.rest_from_fault());
     let habit = CommonMistake::help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
     (modifies && before.ends_with('}')).then(|| habit.message(message("an object")))
 }

@@ -67,13 +67,13 @@ impl Curve {
     /// Point of the curve's segment at t.
     #[inline]
     pub fn point_at(&self, segment: usize, t: f64) -> DVec2 {
-        let along = |axis: usize| evaluate_bernstein(&self.affine_coefficients(segment, |p| p[axis]), t);
+        let along = |axis: usize| evaluate_bernstein(&self.affine_bernstein_coefficients(segment, |p| p[axis]), t);
         DVec2::new(along(0), along(1))
     }
 
     /// Direction of the curve's segment at t; zero only if all control points coincide.
     pub fn tangent(&self, segment: usize, t: f64) -> DVec2 {
-        let along = |axis: usize| bernstein_derivative_at(&self.affine_coefficients(segment, |p| p[axis]), t);
+        let along = |axis: usize| bernstein_derivative_at(&self.affine_bernstein_coefficients(segment, |p| p[axis]), t);
         let tangent = DVec2::new(along(0), along(1));
         if tangent != DVec2::ZERO {
             return tangent;
@@ -85,7 +85,11 @@ impl Curve {
 
     /// Bernstein coefficients, along a segment of the curve, of an affine function of the point.
     #[inline]
-    pub fn affine_coefficients(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
+    pub fn affine_bernstein_coefficients(
+        &self,
+        segment: usize,
+        f: impl Fn(DVec2) -> f64,
+    ) -> smallvec::SmallVec<[f64; 4]> {
         let mut all = [0.0; 4];
         all.iter_mut().zip(self.control_points(segment)).for_each(|(to, p)| *to = f(*p));
         smallvec::SmallVec::from_buf_and_len(all, self.control_points(segment).len())
@@ -96,7 +100,7 @@ impl Curve {
     pub fn is_crossed_oddly(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
-            let height = self.affine_coefficients(segment, |p| p.y - y);
+            let height = self.affine_bernstein_coefficients(segment, |p| p.y - y);
             let [mut all, mut none] = [true; 2];
             for p in self.control_points(segment) {
                 let counts = beyond(p.x);
@@ -111,7 +115,7 @@ impl Curve {
                 continue;
             }
             bernstein_roots(&height, &mut |t| {
-                odd ^= beyond(evaluate_bernstein(&self.affine_coefficients(segment, |p| p.x), t));
+                odd ^= beyond(evaluate_bernstein(&self.affine_bernstein_coefficients(segment, |p| p.x), t));
                 false
             });
         }
@@ -127,7 +131,7 @@ impl Curve {
             reach(c[0]);
             reach(c[self.degree]);
             for axis in 0..2 {
-                let b = self.affine_coefficients(segment, |p| p[axis]);
+                let b = self.affine_bernstein_coefficients(segment, |p| p[axis]);
                 bernstein_derivative_roots(&b).into_iter().flatten().for_each(|t| reach(self.point_at(segment, t)));
             }
         }
