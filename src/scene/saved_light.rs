@@ -6,8 +6,8 @@ use crate::source::{Files, Span};
 use crate::value::Reader;
 use std::path::{Path, PathBuf};
 
-/// Files of photons or radiosity samples to load from and to save to, as stated in a block of `global_settings` or by
-/// an option.
+/// Settings of photons or radiosity samples that are loaded or saved: the file to load from, what was loaded, and the file to
+/// save to, as stated in a block of `global_settings` or by an option.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SavedLight {
     /// Photons or radiosity samples that were loaded from a file, and are used in place of computed ones.

@@ -156,7 +156,7 @@ impl Material {
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             is_clear: layers.iter().all(Layer::is_clear),
-            is_plain: matches!((&layers[..], &texture.layers[..]), ([one], [written]) if one.is_plain() && is_opaque(written)),
+            is_plain: matches!((&layers[..], &texture.layers[..]), ([one], [written]) if one.is_plain_if_opaque() && is_opaque(written)),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&reflects_or_has_grain)
                 || !texture.layers.iter().any(is_opaque)
@@ -231,8 +231,8 @@ impl Layer {
             && finish.refraction == 1.0
     }
 
-    /// True if the layer is plain apart from its opacity (see [`Material::is_plain`]).
-    fn is_plain(&self) -> bool {
+    /// True if a material of this layer alone is plain (see [`Material::is_plain`]) if it is also opaque.
+    fn is_plain_if_opaque(&self) -> bool {
         let finish = &self.finish;
         self.choice.is_none()
             && finish.crand == 0.0

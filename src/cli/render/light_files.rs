@@ -74,7 +74,8 @@ pub fn use_prepared_light(world: &mut World, path: &Path, options: &render::Opti
     Ok(())
 }
 
-/// Returns the files of photons and of radiosity samples; `None` for light that the World does not have.
+/// Returns the World's settings of photons and of radiosity samples that are loaded or to be saved; `None` for light that
+/// the World does not compute.
 fn saved_photons_and_radiosity(world: &mut World) -> [Option<&mut SavedLight>; 2] {
     [
         world.photon_map.as_mut().map(|settings| &mut settings.saved),

@@ -24,8 +24,11 @@ impl<'a> TokenStream<'a> {
         self.push_elements(parts, None, element.span, element.comma);
         if let (ElementKind::Numbers(list), Some(frame)) = (&element.kind, self.frames.last_mut()) {
             // Skip the items consumed before: each item ends with a comma.
-            let behind =
-                parts.iter().enumerate().filter(|(_, e)| e.comma && ends_list_item(parts, e)).map(|(i, _)| i + 1);
+            let behind = parts
+                .iter()
+                .enumerate()
+                .filter(|(_, e)| e.comma && is_last_token_of_item(parts, e))
+                .map(|(i, _)| i + 1);
             frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
         }
     }
@@ -69,14 +72,14 @@ impl<'a> Inputs<'a> {
     }
 }
 
-/// True if an item of a list of literals ends with `element`; false within a vector.
-fn ends_list_item(parts: &[Element], element: &Element) -> bool {
-    let before = parts.iter().take_while(|e| !std::ptr::eq(*e, element));
+/// True if an item of a list of literals ends with `token`; false within a vector.
+fn is_last_token_of_item(list_tokens: &[Element], token: &Element) -> bool {
+    let before = list_tokens.iter().take_while(|e| !std::ptr::eq(*e, token));
     let depth = before.fold(0_i32, |depth, e| match e.kind {
         ElementKind::Punctuation(Punctuation::Operator(Operator::Less)) => depth + 1,
         ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)) => depth - 1,
         _ => depth,
     });
-    let closes = matches!(element.kind, ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)));
+    let closes = matches!(token.kind, ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)));
     depth == i32::from(closes)
 }

@@ -48,7 +48,7 @@ impl Check<'_> {
     pub(super) fn apply_rules(&mut self, token: usize) {
         match self.outline.class(token) {
             class::COMMA => self.check_comma(token),
-            class::SEMICOLON => self.check_semicolon(token),
+            class::SEMICOLON => self.report_semicolon_if_refused(token),
             class::VECTOR | class::NUMBER => self.check_bare_value(token),
             class::DECLARE => self.check_declaration(token),
             class::NAME => self.check_name(token),
@@ -117,39 +117,42 @@ impl Check<'_> {
         (start..token).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
     }
 
-    fn check_semicolon(&mut self, token: usize) {
-        match self.brackets_around(token).next() {
+    fn report_semicolon_if_refused(&mut self, semicolon: usize) {
+        match self.brackets_around(semicolon).next() {
             // `#end;`
-            None if self.outline.class_before(token) == class::END
-                && self.ended_directive_begins_statement(token - 1) =>
+            None if self.outline.class_before(semicolon) == class::END
+                && self.ended_directive_begins_statement(semicolon - 1) =>
             {
-                self.report(token, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
+                self.report(semicolon, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
             }
             // `M();`, where M's last word is none that a `;` may follow
-            None if self.outline.class_before(token) == class::PAREN_END
-                && !self.in_macro(token)
-                && self.follows_object_macro_call(token) =>
+            None if self.outline.class_before(semicolon) == class::PAREN_END
+                && !self.in_macro(semicolon)
+                && self.follows_object_macro_call(semicolon) =>
             {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
-                self.report(token, message.into(), "leave it out");
+                self.report(semicolon, message.into(), "leave it out");
             }
-            None if self.outline.class_before(token) == class::BRACE_END && self.is_statement(token) => {
-                self.report(token, "POV-Ray accepts no `;` after an object".into(), "leave it out");
+            None if self.outline.class_before(semicolon) == class::BRACE_END && self.is_statement(semicolon) => {
+                self.report(semicolon, "POV-Ray accepts no `;` after an object".into(), "leave it out");
             }
             // `#include "a.inc";`
-            None if self.outline.class_before(token) == class::STRING && !self.in_macro(token) && token > 1 => {
-                let directive = self.outline.word(token - 2);
+            None if self.outline.class_before(semicolon) == class::STRING
+                && !self.in_macro(semicolon)
+                && semicolon > 1 =>
+            {
+                let directive = self.outline.word(semicolon - 2);
                 if matches!(
                     directive.trim_start_matches('#'),
                     "include" | "debug" | "warning" | "render" | "statistics"
                 ) {
-                    self.report(token, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
+                    self.report(semicolon, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
                 }
             }
             // After a directive in the same brackets, the `;` may belong to the directive.
             Some(open) if self.directive < Some(open.opener) => {
-                if let Some(block) = self.enclosing_block_word(token).filter(|block| VALUE_BLOCKS.contains(block)) {
-                    self.report(token, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
+                if let Some(block) = self.enclosing_block_word(semicolon).filter(|block| VALUE_BLOCKS.contains(block)) {
+                    self.report(semicolon, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
                 }
             }
             _ => {}
