@@ -199,7 +199,7 @@ pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
     let name = path.display().to_string();
     match source::read_text(sources.files(), path) {
         Ok(text) => add(sources, &name, Some(path), text),
-        Err(error) => Err(refuse(sources, path, &error)),
+        Err(error) => Err(read_error_fault(sources, path, &error)),
     }
 }
 
@@ -212,7 +212,7 @@ pub fn load_bytes(sources: &Sources, name: &str, bytes: impl Into<Vec<u8>>) -> R
     sources.record(Path::new(name), &bytes);
     match source::text_of(bytes) {
         Ok(text) => add(sources, name, None, text),
-        Err(error) => Err(refuse(sources, Path::new(name), &error)),
+        Err(error) => Err(read_error_fault(sources, Path::new(name), &error)),
     }
 }
 
@@ -226,7 +226,7 @@ fn add(sources: &Sources, name: &str, path: Option<&Path>, text: String) -> Resu
     }
 }
 
-fn refuse(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnostic::Fault {
+fn read_error_fault(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnostic::Fault {
     let mut fault = diagnostic::file::unreadable(sources.files(), path, error);
     if matches!(error, source::ReadError::NotText(_)) {
         let file = sources.add(&path.display().to_string(), Some(path), String::new());
@@ -326,7 +326,7 @@ fn lower_outcome(
     if let Some(scene) = &scene {
         diagnostics.extend(advice::scene_warnings(scene, sources));
     }
-    advice::remove_three_doubts_outside(&mut diagnostics, sources, file);
+    advice::remove_doubtful_outside_folder(&mut diagnostics, sources, file);
     let start = options.host.elapsed();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,

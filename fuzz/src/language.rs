@@ -45,7 +45,7 @@ fn check_pieces(text: &str, granularity: Granularity) {
         (lo, hi)
     };
     let mut end = 0;
-    for piece in ast.tokens.pieces() {
+    for piece in ast.tokens.tokens_and_comments() {
         let (lo, hi) = local(piece.span());
         assert!(end <= lo, "{piece:?} overlaps the piece before it");
         assert!(!faults.is_empty() || is_blank(&text[end..lo]), "{:?} is between two tokens", &text[end..lo]);
@@ -80,7 +80,7 @@ fn pieces(text: &str) -> Vec<&str> {
         let span = piece.span();
         text[span.lo as usize..span.hi as usize].trim_end_matches(|c| c <= ' ')
     };
-    ast.tokens.pieces().map(read).collect()
+    ast.tokens.tokens_and_comments().map(read).collect()
 }
 
 /// Interprets a scene within a budget of steps, time and memory, and checks the diagnostics. All files are in memory.

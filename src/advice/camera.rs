@@ -14,10 +14,10 @@ const UNEVEN: f64 = 0.02;
 
 /// Returns the warning about a scene with several cameras.
 pub(super) fn several_cameras_warning(scene: &Scene) -> Option<Diagnostic> {
-    cameras_differ_warning(&scene.cameras)
+    unused_cameras_warning(&scene.cameras)
 }
 
-fn cameras_differ_warning(cameras: &[Span]) -> Option<Diagnostic> {
+fn unused_cameras_warning(cameras: &[Span]) -> Option<Diagnostic> {
     let (last, others) = cameras.split_last()?;
     // A macro or a loop may create one camera several times.
     let other = others.iter().find(|other| *other != last)?;
@@ -93,8 +93,8 @@ mod tests {
     #[test]
     fn one_camera_created_twice_counts_once() {
         let at = |lo| Span::new(lo, lo + 6);
-        assert!(cameras_differ_warning(&[at(1), at(1)]).is_none());
-        assert!(cameras_differ_warning(&[at(1), at(9)]).is_some());
-        assert!(cameras_differ_warning(&[]).is_none());
+        assert!(unused_cameras_warning(&[at(1), at(1)]).is_none());
+        assert!(unused_cameras_warning(&[at(1), at(9)]).is_some());
+        assert!(unused_cameras_warning(&[]).is_none());
     }
 }

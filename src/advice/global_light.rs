@@ -24,7 +24,7 @@ pub fn foreign_saved_light_warning(world: &World, kind: LightKind) -> Option<Dia
 }
 
 /// Returns warnings about photons, or settings of photons, that have no effect.
-pub(super) fn idle_photon_warnings(world: &World) -> Vec<Diagnostic> {
+pub(super) fn ineffective_photon_warnings(world: &World) -> Vec<Diagnostic> {
     let Some(settings) = world.photon_map.as_ref().filter(|settings| settings.saved.loaded.is_none()) else {
         return vec![];
     };
@@ -63,7 +63,7 @@ fn is_photon_target_setting(world: &World, photon_settings: u32) -> bool {
 const MAX_AMBIENT: f64 = 0.3;
 
 /// Returns the warning about `ambient` that adds to the light of radiosity, if most materials have it.
-pub(super) fn double_ambient_warning(world: &World) -> Option<Diagnostic> {
+pub(super) fn ambient_with_radiosity_warning(world: &World) -> Option<Diagnostic> {
     let settings = world.radiosity.as_ref().filter(|settings| settings.keeps_ambient)?;
     let has_ambient = |material: &&Material| {
         let largest = material.layers.iter().map(|layer| layer.finish.ambient.max_element()).fold(0.0, f64::max);
@@ -86,7 +86,7 @@ const PHOTON_TIME: f64 = 5e-8;
 const OVERLAP: f64 = 4.0;
 
 /// Returns the warning about photons or radiosity that take more than an hour of one processor.
-pub(super) fn slow_light_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn slow_global_light_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let radiosity = world.radiosity.as_ref().filter(|settings| settings.saved.loaded.is_none());
     let radiosity = radiosity.map(|settings| {
         (max_radiosity_cpu_seconds(settings, options), settings.source, "`count` or `recursion_limit`")
@@ -108,7 +108,7 @@ pub(super) fn slow_light_warning(world: &World, options: &render::Options) -> Op
 /// Returns an upper estimate of the time that radiosity takes, in seconds of one processor. The radius of a sample is at
 /// least `minimum_reuse` times its distance, so that it covers an area of the picture.
 fn max_radiosity_cpu_seconds(settings: &Radiosity, options: &render::Options) -> f64 {
-    let radius = settings.relative_reuse_radius_limits()[0] * options.width as f64;
+    let radius = settings.reuse_radius_per_distance()[0] * options.width as f64;
     let n_pixels = (options.width * options.height) as f64;
     let n_samples = n_pixels * OVERLAP * f64::from(settings.nearest_count) / (PI * radius * radius);
     n_samples.min(n_pixels) * f64::from(settings.count) * f64::from(settings.recursion_limit) * GATHER_RAY_TIME

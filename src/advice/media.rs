@@ -14,7 +14,7 @@ use std::sync::Arc;
 const MAX_WARNINGS: usize = 5;
 
 /// Returns warnings about media in objects that are not `hollow`.
-pub(super) fn solid_media_warnings(scene: &Scene) -> Vec<Diagnostic> {
+pub(super) fn media_in_solid_warnings(scene: &Scene) -> Vec<Diagnostic> {
     let mut search = SolidMediaSearch::default();
     scene.objects.iter().for_each(|object| search.examine(object, false));
     let warning = |(media, object): &(Span, Span)| {
@@ -61,7 +61,7 @@ const SAMPLE_TIME: f64 = 2e-7;
 pub(super) fn slow_media_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let lists = world.media.values().chain([&world.air]).filter(|media| !media.is_empty());
     let (samples, slowest) =
-        lists.map(|media| (samples_with_shadow_rays(world, media), &media[0])).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        lists.map(|media| (media_samples_per_ray(world, media), &media[0])).max_by(|a, b| a.0.total_cmp(&b.0))?;
     let pixels = options.region.map_or(options.width * options.height, |region| region.width * region.height);
     let hours = pixels as f64 * samples * SAMPLE_TIME / 3600.0;
     if hours < 1.0 {
@@ -73,7 +73,7 @@ pub(super) fn slow_media_warning(world: &World, options: &render::Options) -> Op
 }
 
 /// Returns the number of samples of media that are sampled together on a ray, those of its shadow rays included.
-fn samples_with_shadow_rays(world: &World, media: &[Medium]) -> f64 {
+fn media_samples_per_ray(world: &World, media: &[Medium]) -> f64 {
     let sampling = media[0].sampling;
     let of_interval = match sampling.method {
         SamplingMethod::Adaptive => sampling.min_samples + 1,
@@ -108,12 +108,12 @@ struct SolidMediaSearch {
 }
 
 impl SolidMediaSearch {
-    /// Examines an object and its parts; `is_hollow` is true within a hollow group.
-    fn examine(&mut self, object: &Object, is_hollow: bool) {
+    /// Examines an object and its parts; `in_hollow_group` is true within a hollow group.
+    fn examine(&mut self, object: &Object, in_hollow_group: bool) {
         if self.found.len() >= MAX_WARNINGS {
             return;
         }
-        let is_hollow = is_hollow || object.uncommon.flags.hollow;
+        let is_hollow = in_hollow_group || object.uncommon.flags.hollow;
         let parts: &[Object] = match &object.kind {
             ObjectKind::Csg(_, parts) => {
                 let has_copies = Arc::strong_count(parts) > 1 || Arc::strong_count(&object.body) > 1;

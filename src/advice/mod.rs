@@ -25,15 +25,16 @@ use std::path::Path;
 /// Returns warnings about a scene before it is rendered.
 pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let csg = csg::csg_warnings(scene, sources);
-    camera::several_cameras_warning(scene).into_iter().chain(csg).chain(media::solid_media_warnings(scene)).collect()
+    camera::several_cameras_warning(scene).into_iter().chain(csg).chain(media::media_in_solid_warnings(scene)).collect()
 }
 
 /// Returns warnings about a World, before it is rendered.
 pub fn world_warnings(world: &World) -> Vec<Diagnostic> {
     let saved = [LightKind::Photons, LightKind::Radiosity].into_iter();
     let saved = saved.filter_map(|kind| foreign_saved_light_warning(world, kind));
-    let light =
-        global_light::idle_photon_warnings(world).into_iter().chain(global_light::double_ambient_warning(world));
+    let light = global_light::ineffective_photon_warnings(world)
+        .into_iter()
+        .chain(global_light::ambient_with_radiosity_warning(world));
     let media = media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world));
     media.chain(saved).chain(light).collect()
 }
@@ -41,7 +42,7 @@ pub fn world_warnings(world: &World) -> Vec<Diagnostic> {
 /// Returns warnings about a picture that takes hours, before it is rendered.
 pub fn time_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic> {
     let media = media::slow_media_warning(world, options);
-    media.into_iter().chain(global_light::slow_light_warning(world, options)).collect()
+    media.into_iter().chain(global_light::slow_global_light_warning(world, options)).collect()
 }
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.
@@ -51,7 +52,7 @@ pub fn unusual_text_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic
 
 /// Removes three kinds of doubtful warnings (colours as bytes, rotations about all axes, falling map values) about
 /// files outside of the scene's folder, such as the standard includes. All other diagnostics stay.
-pub fn remove_three_doubts_outside(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
+pub fn remove_doubtful_outside_folder(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
     let doubts = [codes::COLOR_OF_BYTES, codes::ALL_AXES, codes::FALLING_MAP];
     diagnostics.retain(|d| !doubts.contains(&d.code) || is_in_scene_folder(sources, scene, d.span()));
 }
@@ -89,7 +90,7 @@ pub fn picture_warnings(world: &World, options: &render::Options, circumstances:
     out.extend(overlap::coincidence_warnings(world, options));
     if !circumstances.one_of_many {
         out.extend(
-            unseen::unseen_warning(world, options)
+            unseen::no_object_visible_warning(world, options)
                 .or_else(|| circumstances.black.then(|| dark::black_picture_warning(world, options)).flatten()),
         );
     }

@@ -71,7 +71,7 @@ fn first_hit_coincident_pairs(world: &World, ray: &Ray) -> Vec<(u32, u32, Coinci
     let around = Range { min: seen.t() - near, max: seen.t() + near };
     let normal = seen.surface(ray).normal;
     let mut out = vec![];
-    world.geometry.visit_shape_hits(ray, around, &mut |item, other| {
+    world.geometry.visit_all_shape_hits(ray, around, &mut |item, other| {
         if other.part_number() != seen.part_number()
             && is_visible_to_camera(world, item.object())
             && let Some(kind) = coincidence_kind(world, ray, &item, &seen, &other, normal)

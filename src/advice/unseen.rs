@@ -14,7 +14,7 @@ const SAMPLES: usize = 200;
 /// Offset of a pixel's centre from the pixel's top left corner.
 const CENTRE: f64 = 0.5;
 
-pub(super) fn unseen_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn no_object_visible_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let (eye, at_eye) = (world.eye.frame.origin, opaque_objects_containing(world, world.eye.frame.origin));
     // Rays of some cameras have their own origins.
     let is_around = |ray: &Ray, object: &u32| match ray.origin == eye {

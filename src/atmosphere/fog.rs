@@ -4,7 +4,7 @@
 //! fog { distance 30 rgb <0.8, 0.85, 0.9> }
 //! ```
 
-use super::{Segment, max_transmittance_or_transmit};
+use super::{Segment, transmittance_at_least_transmit};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
@@ -130,7 +130,7 @@ impl Fog {
             let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.to_octaves(), noise);
             depth *= 1.0 - gap.min(1.0) * fp::exp(-far);
         }
-        let clear = max_transmittance_or_transmit(&self.color, fp::exp(-depth));
+        let clear = transmittance_at_least_transmit(&self.color, fp::exp(-depth));
         Segment::from_color(self.color.rgb, clear, self.color.filter)
     }
 

@@ -48,6 +48,6 @@ impl Segment {
 }
 
 /// Returns the larger of a transmittance and the colour's `transmit`.
-fn max_transmittance_or_transmit(color: &Color, transmittance: f64) -> f64 {
+fn transmittance_at_least_transmit(color: &Color, transmittance: f64) -> f64 {
     transmittance.max(color.transmit)
 }

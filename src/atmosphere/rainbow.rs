@@ -5,7 +5,7 @@
 //! rainbow { direction <0, -0.3, 1> angle 42 width 6 color_map { [0 rgbt <1, 0, 0, 0.6>] [1 rgbt <0, 0, 1, 0.6>] } }
 //! ```
 
-use super::{Segment, max_transmittance_or_transmit};
+use super::{Segment, transmittance_at_least_transmit};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
@@ -168,7 +168,7 @@ impl Rainbow {
         }
         let color = map.color_at(index);
         let open = 1.0 - shown + shown * color.transmit;
-        let clear = max_transmittance_or_transmit(
+        let clear = transmittance_at_least_transmit(
             &crate::color::Color { transmit: open, ..color },
             fp::exp(-length / self.distance),
         );

@@ -77,8 +77,8 @@ impl Camera {
         }
         let ordered = r.language().ordered_cameras;
         match ordered {
-            true => povray.begin_text_ordered_words(),
-            false => povray.end_text_ordered_words(),
+            true => povray.begin_immediate_words(),
+            false => povray.end_immediate_words(),
         }
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;

@@ -6,7 +6,7 @@ use crate::math::Transform;
 impl PovrayCamera {
     /// Applies the camera's words so far to its vectors, so that each word that follows takes effect at once, in the
     /// order written.
-    pub(super) fn begin_text_ordered_words(&mut self) {
+    pub(super) fn begin_immediate_words(&mut self) {
         let frame = self.frame();
         self.location = frame.origin;
         (self.direction, self.right, self.up) = (frame.direction, frame.right, frame.up);
@@ -15,7 +15,7 @@ impl PovrayCamera {
     }
 
     /// Makes the words that follow take effect in any order, on the vectors that earlier words made in their order.
-    pub(super) fn end_text_ordered_words(&mut self) {
+    pub(super) fn end_immediate_words(&mut self) {
         if std::mem::take(&mut self.ordered) {
             (self.look_at, self.sized) = (None, true);
             if matches!(self.kind, Kind::Perspective | Kind::Orthographic) {

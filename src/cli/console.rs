@@ -92,7 +92,7 @@ impl Console {
     }
 
     /// Returns the console for one of several scenes, each of which has a line with the number of its messages.
-    pub fn for_one_of_several(&self) -> Self {
+    pub fn for_scene_among_several(&self) -> Self {
         Self { among_several: true, ..self.clone() }
     }
 
@@ -126,12 +126,12 @@ impl Console {
 
     /// Writes a message to stderr, unless `--quiet` is given.
     pub fn info(&self, text: &str) {
-        self.print_povray_stream(Stream::Render, text);
+        self.print_to_povray_stream(Stream::Render, text);
     }
 
     /// Writes the text of one of POV-Ray's streams to stderr, unless the stream is silent, and copies the text into the
     /// stream's files.
-    pub fn print_povray_stream(&self, stream: Stream, text: &str) {
+    pub fn print_to_povray_stream(&self, stream: Stream, text: &str) {
         self.text_files.write(stream, text);
         if !self.quiet && !self.silent.contains(&stream) {
             print_message(text);
@@ -149,7 +149,7 @@ impl Console {
     }
 
     /// Writes a line that programs expect from POV-Ray to stderr; only for POV-Ray's command line.
-    pub fn povray_line(&self, line: &str) {
+    pub fn print_line_as_povray(&self, line: &str) {
         self.copy_to_text_files(Stream::Render, line);
         if self.has_povray_lines() {
             print_message(line);
@@ -158,9 +158,9 @@ impl Console {
 
     /// Writes POV-Ray's statistics of a picture to stderr, unless `-GA` or `-GS` silences them; only for POV-Ray's command
     /// line.
-    pub fn povray_statistics(&self, text: &str) {
+    pub fn print_povray_statistics(&self, text: &str) {
         if self.has_povray_lines() {
-            self.print_povray_stream(Stream::Statistics, text);
+            self.print_to_povray_stream(Stream::Statistics, text);
         } else {
             self.copy_to_text_files(Stream::Statistics, text);
         }
@@ -172,10 +172,10 @@ impl Console {
         let errors = diagnostics.iter().filter(of(Severity::Error));
         let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| self.prints_warnings());
         let wanted: Vec<_> = errors.chain(warnings).collect();
-        let povray_line =
+        let print_line_as_povray =
             |d| if self.has_povray_lines() { client_lines::povray_diagnostic_line(sources, d) } else { String::new() };
         let mut text: String =
-            wanted.iter().map(|d| povray_line(d) + &draw::render(d, sources, self.style) + "\n").collect();
+            wanted.iter().map(|d| print_line_as_povray(d) + &draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());
         self.add_to_message_count(count);
         if wanted.len() > 1 && !self.among_several {

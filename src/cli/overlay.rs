@@ -42,14 +42,14 @@ pub fn read_ini(
     sources: &Sources,
     input: &Path,
     scene: &SceneArgs,
-    includes_idle_warnings: bool,
+    warns_of_ineffective_options: bool,
 ) -> std::result::Result<Option<IniFile>, Vec<Diagnostic>> {
     if !povray::is_ini(&input.to_string_lossy()) {
         return Ok(None);
     }
     let povray::Translated { words, animation, mut diagnostics, idle, .. } =
         povray::translate_ini(sources, input, scene.is_untrusted());
-    diagnostics.extend(idle.into_iter().filter(|_| includes_idle_warnings));
+    diagnostics.extend(idle.into_iter().filter(|_| warns_of_ineffective_options));
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(diagnostics);
     }

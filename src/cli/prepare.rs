@@ -73,7 +73,7 @@ pub fn run(console: &Console, args: &PrepareArgs, animation: Option<Animation>) 
     }
     memory::check_pixel_count(merged.scene.size())?;
     let output = args.output.clone().unwrap_or_else(|| default_output(&input));
-    check_output(&output)?;
+    check_replaces_only_light(&output)?;
     let timing = session::timing(&merged.scene, animation.as_ref())?;
     prepare(&console, &sources, &input, &merged, timing, &output)
 }
@@ -87,7 +87,7 @@ fn default_output(input: &Path) -> PathBuf {
 }
 
 /// Checks that an existing output file contains photons or radiosity samples, so that no other file is replaced.
-fn check_output(output: &Path) -> Result<()> {
+fn check_replaces_only_light(output: &Path) -> Result<()> {
     if Disk.exists(output) && !Disk.read(output).is_ok_and(|bytes| is_light_file(&bytes)) {
         let text = format!("`{}` exists, and durer did not save it as light", output.display());
         let help = "name another file with `-o`, or remove the file";
@@ -118,7 +118,7 @@ fn prepare(
         let mut world = session::report_and_take_world(console, sources, &mut built)?;
         let threads = args.threads.map_or(0, usize::from);
         let drawing = session::drawing_options(&args.scene, &args.look, threads, timing);
-        send_light_to_receiver(&mut world, output);
+        set_saved_light_path(&mut world, output);
         if !console.quiet {
             console.report(sources, &advice::time_warnings(&world, &drawing));
         }
@@ -141,7 +141,7 @@ fn prepare(
 
 /// Makes the render of a World hand all photons and radiosity samples to the receiver of saved light, in place of
 /// writing them to the files that the scene names.
-fn send_light_to_receiver(world: &mut World, output: &Path) {
+fn set_saved_light_path(world: &mut World, output: &Path) {
     let save = |kind| Some(SaveFile { kind, path: output.to_path_buf(), source: Span::NONE });
     if let Some(settings) = &mut world.photon_map {
         settings.saved.save = save(LightKind::Photons);

@@ -210,7 +210,7 @@ pub fn build(
     options: &interpreter::Options,
     keep: Keep,
 ) -> Built {
-    let print = &mut |text: &str| console.print_povray_stream(Stream::Debug, text);
+    let print = &mut |text: &str| console.print_to_povray_stream(Stream::Debug, text);
     let built = crate::build_with(parsed, sources, file, options, keep, print);
     files_in_memory_line(&built).iter().for_each(|note| console.info(note));
     built

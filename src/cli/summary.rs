@@ -98,7 +98,7 @@ pub fn process_each(
     print: impl Fn(&str) -> Result<()>,
     mut work: impl FnMut(&Console, &Path) -> Result<(Exit, String)>,
 ) -> Result {
-    let console = &console.for_one_of_several();
+    let console = &console.for_scene_among_several();
     let (mut exits, mut all) = (Vec::new(), Count::default());
     for input in inputs {
         let (exit, text) = match work(console, input) {

@@ -45,14 +45,14 @@ const MAX_PASSES: usize = 8;
 /// # Errors
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest
 /// too deeply.
-pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-    let Pass { text: mut formatted, is_irregular } = format_once(text, base, width)?;
+pub fn format(text: &str, global_start: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
+    let Pass { text: mut formatted, is_irregular } = format_once(text, global_start, width)?;
     if !is_irregular {
         return Ok(formatted);
     }
     // Where brackets have no partner, a line that was broken may have another structure when it is parsed again.
     for _ in 1..MAX_PASSES {
-        let next = format_once(&formatted, base, width)?.text;
+        let next = format_once(&formatted, global_start, width)?.text;
         if next == formatted {
             return Ok(formatted);
         }
@@ -69,12 +69,12 @@ struct Pass {
     is_irregular: bool,
 }
 
-fn format_once(text: &str, base: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
-    let (ast, faults) = parse_text(text, base, &Names::default(), Granularity::Whole);
+fn format_once(text: &str, global_start: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
+    let (ast, faults) = parse_text(text, global_start, &Names::default(), Granularity::Whole);
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }
-    let atoms = gather::gather(text, base, &ast);
+    let atoms = gather::gather(text, global_start, &ast);
     drop(ast);
     Ok(Pass { text: layout::lay_out(text, &atoms, width), is_irregular: atoms.is_irregular() })
 }

@@ -42,7 +42,7 @@ impl Typesetter<'_> {
                 hard += 1;
             }
             while at < hard {
-                let end = self.atoms_before_break(at, hard, nesting.open.len());
+                let end = self.next_line_start_atom(at, hard, nesting.open.len());
                 for i in at..end {
                     nesting.count_atom(self.has(i, flag::OPEN), self.has(i, flag::CLOSE));
                 }
@@ -64,22 +64,22 @@ impl Typesetter<'_> {
         }
     }
 
-    /// Returns the number of atoms that go on the line: all, or up to the best position for a break, which is outside
-    /// of as many brackets as possible.
-    fn atoms_before_break(&self, from: usize, to: usize, depth: usize) -> usize {
+    /// Returns the index of the atom that begins the next line: `to`, or the atom after the best position for a break,
+    /// which is outside of as many brackets as possible.
+    fn next_line_start_atom(&self, from: usize, to: usize, bracket_depth: usize) -> usize {
         let gap = if self.is_at_line_start() { 0 } else { self.blanks_before(from) };
         let room = self.width.saturating_sub(self.column + gap);
         if self.flat_width(from, to) <= room {
             return to;
         }
-        let (mut depth, mut best) = (depth, None);
+        let (mut bracket_depth, mut best) = (bracket_depth, None);
         for i in from..to {
             let width = self.flat_width(from, i);
             if i > from && self.may_break_before_atom(i) {
                 if width > room && best.is_some() {
                     break;
                 }
-                let cost = (width < room / 3, depth * 8 + self.binding_strength(i - 1));
+                let cost = (width < room / 3, bracket_depth * 8 + self.binding_strength(i - 1));
                 if width > room {
                     return i;
                 }
@@ -87,8 +87,8 @@ impl Typesetter<'_> {
                     best = Some((cost, i));
                 }
             }
-            depth += usize::from(self.has(i, flag::OPEN));
-            depth = depth.saturating_sub(usize::from(self.has(i, flag::CLOSE)));
+            bracket_depth += usize::from(self.has(i, flag::OPEN));
+            bracket_depth = bracket_depth.saturating_sub(usize::from(self.has(i, flag::CLOSE)));
         }
         best.map_or(to, |(_, i)| i)
     }

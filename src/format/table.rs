@@ -34,14 +34,14 @@ fn needs_more_lines(setter: &Typesetter, row: &Row, indent: usize) -> bool {
 }
 
 /// Returns the atoms of a row, without a comma or comment at its end, since the last row has no comma.
-fn cell_atoms(setter: &Typesetter, row: &Row) -> std::ops::Range<usize> {
+fn row_atoms_without_comma(setter: &Typesetter, row: &Row) -> std::ops::Range<usize> {
     let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
     row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
 }
 
 /// True if both rows have the same words and signs, and numbers, names and strings at the same positions.
 fn has_same_structure(setter: &Typesetter, first: &Row, next: &Row) -> bool {
-    let (a, b) = (cell_atoms(setter, first), cell_atoms(setter, next));
+    let (a, b) = (row_atoms_without_comma(setter, first), row_atoms_without_comma(setter, next));
     let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
     together
         && a.len() > 1
@@ -75,7 +75,7 @@ fn alignment_blanks(setter: &Typesetter, rows: &[Row], indent: usize) -> Option<
     let lines: Vec<usize> = rows.iter().map(|row| begins(lo(row.from))).collect();
     let mut ends = vec![indent; rows.len()];
     let mut pads: Vec<Vec<u8>> = vec![vec![]; rows.len()];
-    for j in 0..cell_atoms(setter, &rows[0]).len() {
+    for j in 0..row_atoms_without_comma(setter, &rows[0]).len() {
         let cell = |(row, line): (&Row, &usize)| Cell {
             start: columns_of(&text[*line..lo(row.from + j)]),
             columns: setter.atom_width(row.from + j),

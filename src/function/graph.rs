@@ -158,12 +158,12 @@ impl Callee {
 
     /// Returns bounds on the components of a call's result, and on their gradients by the first three arguments, while
     /// these move at most `radius` away from the values given.
-    pub(super) fn bounds_near(&self, arguments: &[f64], radius: f64) -> [LocalBounds; 5] {
+    pub(super) fn value_bounds_near(&self, arguments: &[f64], radius: f64) -> [LocalBounds; 5] {
         let rest = &arguments[3..];
         let (steepest, bend) = match self {
-            Callee::Sampler(sampler) => return sampler.bounds_near(arguments, radius),
+            Callee::Sampler(sampler) => return sampler.value_bounds_near(arguments, radius),
             Callee::Function(function) => match &function.body {
-                super::Body::Sampled(sampler) => return sampler.bounds_near(arguments, radius),
+                super::Body::Sampled(sampler) => return sampler.value_bounds_near(arguments, radius),
                 super::Body::Numeric(_) => return [LocalBounds::UNKNOWN; 5],
             },
             Callee::SceneNoise(generator) => {

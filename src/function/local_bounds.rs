@@ -54,7 +54,7 @@ impl LocalBounds {
     }
 
     /// Returns the local bounds of the function's fractional part.
-    pub fn fraction_bounds(self) -> Self {
+    pub fn fractional_part_bounds(self) -> Self {
         let whole = self.range.lo.floor();
         if whole == self.range.hi.floor() {
             let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };

@@ -66,7 +66,7 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
         self.sample(arguments)[component]
     }
     /// Returns bounds on the components of the result within a radius of these arguments.
-    fn bounds_near(&self, _arguments: &[f64], _radius: f64) -> [LocalBounds; 5] {
+    fn value_bounds_near(&self, _arguments: &[f64], _radius: f64) -> [LocalBounds; 5] {
         [LocalBounds::UNKNOWN; 5]
     }
     /// Returns bounds of a component of the result while the arguments are in these intervals.

@@ -228,7 +228,7 @@ impl Writer<'_> {
                 let start = self.arguments.len() as u32;
                 let count = registers.len() as u16;
                 self.arguments.extend(registers);
-                let siblings = self.operations_with_components(id, *callee, list);
+                let siblings = self.operations_of_same_call(id, *callee, list);
                 let to = self.new_register();
                 if siblings.len() == 1 {
                     self.steps.push(Step::Call(*callee, *component, start, count, to));
@@ -249,7 +249,7 @@ impl Writer<'_> {
 
     /// Finds, among this operation and the next few, those that use components of the same call; returns their indices
     /// and components.
-    fn operations_with_components(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
+    fn operations_of_same_call(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
         let is_one = |(i, node): (usize, &Operation)| match node {
             Operation::Call(other, component, same) if *other == callee && **same == *list => Some((i, *component)),
             _ => None,

@@ -288,7 +288,7 @@ fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
-        let near = callee.bounds_near(&middle, radius);
+        let near = callee.value_bounds_near(&middle, radius);
         let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), max_lengthening_factor([a, b, c]));
         return each(&|component| {
             let LocalBounds { range, gradient, steepest, rough: uneven } = near[component];

@@ -47,10 +47,10 @@ impl Spline {
     /// is required.
     pub fn new(kind: SplineKind, given: &[(f64, VecN)]) -> Self {
         let mut points: Vec<(f64, [f64; 5])> = vec![];
-        for (t, point) in given {
-            match points.binary_search_by(|(known, _)| known.total_cmp(t)) {
+        for (parameter, point) in given {
+            match points.binary_search_by(|(known, _)| known.total_cmp(parameter)) {
                 Ok(i) => points[i].1 = point.c,
-                Err(i) => points.insert(i, (*t, point.c)),
+                Err(i) => points.insert(i, (*parameter, point.c)),
             }
         }
         let len = given.iter().map(|(_, p)| p.len).max().unwrap_or(2);
@@ -60,31 +60,31 @@ impl Spline {
 
     /// The spline's parameters and points in ascending order, for a spline that adds more.
     pub fn points(&self) -> impl Iterator<Item = (f64, VecN)> + '_ {
-        self.points.iter().map(|(t, c)| (*t, VecN { c: *c, len: self.len }))
+        self.points.iter().map(|(parameter, c)| (*parameter, VecN { c: *c, len: self.len }))
     }
 
     /// Returns the spline's point at a parameter; constant before the first and after the last.
-    pub fn point_at(&self, t: f64, kind: SplineKind) -> [f64; 5] {
+    pub fn point_at(&self, parameter: f64, kind: SplineKind) -> [f64; 5] {
         let (p, n) = (&self.points, self.points.len());
         // The cubic begins at the second point and ends at the last but one.
         let (first, last) = if kind == SplineKind::Cubic && n > 1 { (1, n.max(3) - 2) } else { (0, n - 1) };
         let (first, last) = (first.min(last), last);
-        if n == 1 || t.is_nan() || t <= p[first].0 {
+        if n == 1 || parameter.is_nan() || parameter <= p[first].0 {
             return p[first].1;
         }
-        if t >= p[last].0 {
+        if parameter >= p[last].0 {
             return p[last].1;
         }
-        // t is between the points i and i+1.
-        let i = p.partition_point(|(known, _)| *known <= t) - 1;
+        // parameter is between the points i and i+1.
+        let i = p.partition_point(|(known, _)| *known <= parameter) - 1;
         let mut out = [0.0; 5];
         for (c, out) in out.iter_mut().enumerate().take(self.len as usize) {
             *out = match kind {
-                SplineKind::Linear => linear_component(p[i], p[i + 1], t, c),
-                SplineKind::Quadratic if n > 2 => parabola_component(&p[i.max(1) - 1..][..3], t, c),
-                SplineKind::Quadratic => linear_component(p[i], p[i + 1], t, c),
-                SplineKind::Cubic => self.cubic_component(i, t, c),
-                SplineKind::Natural => self.natural_component(i, t, c),
+                SplineKind::Linear => linear_component(p[i], p[i + 1], parameter, c),
+                SplineKind::Quadratic if n > 2 => parabola_component(&p[i.max(1) - 1..][..3], parameter, c),
+                SplineKind::Quadratic => linear_component(p[i], p[i + 1], parameter, c),
+                SplineKind::Cubic => self.cubic_component(i, parameter, c),
+                SplineKind::Natural => self.natural_component(i, parameter, c),
             };
         }
         out
@@ -92,13 +92,13 @@ impl Spline {
 
     /// Component of a cubic spline between the points `segment` and `segment` + 1, by Hermite's cubic; the slope at a
     /// point is the mean of those of the lines to its neighbours (quirk: `cubic_spline_slopes`).
-    fn cubic_component(&self, segment: usize, t: f64, component: usize) -> f64 {
+    fn cubic_component(&self, segment: usize, parameter: f64, component: usize) -> f64 {
         let p = &self.points;
         let slope = |segment: usize| {
             (p[segment + 1].1[component] - p[segment].1[component]) / (p[segment + 1].0 - p[segment].0)
         };
         let h = p[segment + 1].0 - p[segment].0;
-        let s = (t - p[segment].0) / h;
+        let s = (parameter - p[segment].0) / h;
         let (m0, m1) = ((slope(segment - 1) + slope(segment)) / 2.0, (slope(segment) + slope(segment + 1)) / 2.0);
         let (s2, s3) = (s * s, s * s * s);
         (2.0 * s3 - 3.0 * s2 + 1.0) * p[segment].1[component]
@@ -109,26 +109,26 @@ impl Spline {
 
     /// Component of a natural spline between the points `segment` and `segment` + 1, from the values and second
     /// derivatives at both ends (Press et al., "Numerical Recipes", 1992, section 3.3).
-    fn natural_component(&self, segment: usize, t: f64, component: usize) -> f64 {
+    fn natural_component(&self, segment: usize, parameter: f64, component: usize) -> f64 {
         let p = &self.points;
         let h = p[segment + 1].0 - p[segment].0;
-        let (a, b) = ((p[segment + 1].0 - t) / h, (t - p[segment].0) / h);
+        let (a, b) = ((p[segment + 1].0 - parameter) / h, (parameter - p[segment].0) / h);
         let bend =
             (a * a * a - a) * self.bends[segment][component] + (b * b * b - b) * self.bends[segment + 1][component];
         a * p[segment].1[component] + b * p[segment + 1].1[component] + bend * h * h / 6.0
     }
 }
 
-fn linear_component(a: (f64, [f64; 5]), b: (f64, [f64; 5]), t: f64, component: usize) -> f64 {
-    a.1[component] + (b.1[component] - a.1[component]) * (t - a.0) / (b.0 - a.0)
+fn linear_component(a: (f64, [f64; 5]), b: (f64, [f64; 5]), parameter: f64, component: usize) -> f64 {
+    a.1[component] + (b.1[component] - a.1[component]) * (parameter - a.0) / (b.0 - a.0)
 }
 
 /// Component of Lagrange's parabola through three points of a spline.
-fn parabola_component(p: &[(f64, [f64; 5])], t: f64, component: usize) -> f64 {
+fn parabola_component(p: &[(f64, [f64; 5])], parameter: f64, component: usize) -> f64 {
     let [t0, t1, t2] = [p[0].0, p[1].0, p[2].0];
-    p[0].1[component] * (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2))
-        + p[1].1[component] * (t - t0) * (t - t2) / ((t1 - t0) * (t1 - t2))
-        + p[2].1[component] * (t - t0) * (t - t1) / ((t2 - t0) * (t2 - t1))
+    p[0].1[component] * (parameter - t1) * (parameter - t2) / ((t0 - t1) * (t0 - t2))
+        + p[1].1[component] * (parameter - t0) * (parameter - t2) / ((t1 - t0) * (t1 - t2))
+        + p[2].1[component] * (parameter - t0) * (parameter - t1) / ((t2 - t0) * (t2 - t1))
 }
 
 /// Second derivatives of a natural spline at its points, 0 at both ends: a tridiagonal system, solved from both sides.

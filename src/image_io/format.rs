@@ -115,10 +115,10 @@ impl Format {
     ///
     /// # Errors
     /// E0008 if it can't.
-    pub fn check(self, width: usize, height: usize, depth: Option<u8>) -> Result<()> {
+    pub fn check(self, width: usize, height: usize, bits_per_channel: Option<u8>) -> Result<()> {
         let (row, name) = (self.capabilities(), self.name());
         let fault = |text: String, help: &str| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help).into();
-        match depth {
+        match bits_per_channel {
             Some(_) if row.depths.is_empty() => {
                 let text = format!("{name} always holds floating-point numbers, which `--bit-depth` can't change");
                 return fault(text, "leave `--bit-depth` out");

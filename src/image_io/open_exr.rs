@@ -15,13 +15,13 @@ const MAX_PIXELS_PER_BYTE: usize = 516;
 /// # Errors
 /// The reason why the bytes are not such a picture, in words.
 pub(super) fn decode_exr(bytes: &[u8]) -> Result<Pixels, String> {
-    check_file_fits_header_size(bytes)?;
+    refuse_too_few_bytes(bytes)?;
     let pixels = decode_rgba(bytes).or_else(|fault| decode_luminance(bytes).map_err(|_| fault));
     pixels.map_err(|fault| fault.to_string())
 }
 
 /// Refuses a file that is too small for the size in its header, before memory for that size is reserved.
-fn check_file_fits_header_size(bytes: &[u8]) -> Result<(), String> {
+fn refuse_too_few_bytes(bytes: &[u8]) -> Result<(), String> {
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(|fault| fault.to_string())?;
     let fits = |size: exr::math::Vec2<usize>| {
         let area = size.width().checked_mul(size.height());

@@ -99,13 +99,13 @@ fn storage_indices_has_transparency(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, b
     (encoding, Some(indices), false)
 }
 
-/// Returns the sample at column `x` of a picture's row with `depth` bits a sample (1, 2, 4 or 8), the first in the
+/// Returns the sample at column `x` of a picture's row with `bits_per_sample` bits a sample (1, 2, 4 or 8), the first in the
 /// highest bits.
-fn packed_sample(row: &[u8], x: usize, depth: usize) -> u8 {
-    let per_byte = 8 / depth;
-    let shift = 8 - depth * (x % per_byte + 1);
+fn packed_sample(row: &[u8], x: usize, bits_per_sample: usize) -> u8 {
+    let per_byte = 8 / bits_per_sample;
+    let shift = 8 - bits_per_sample * (x % per_byte + 1);
     let byte = row.get(x / per_byte).copied().unwrap_or(0);
-    if depth == 8 { byte } else { (byte >> shift) & ((1 << depth) - 1) }
+    if bits_per_sample == 8 { byte } else { (byte >> shift) & ((1 << bits_per_sample) - 1) }
 }
 
 /// Returns the palette indices of a gif's first frame.

@@ -167,7 +167,7 @@ impl<'a> Interpreter<'a> {
         match self.peek()? {
             Token::Punctuation(Punctuation::Dot) => {
                 self.stream.advance();
-                let name = self.component_name()?;
+                let name = self.read_component_name()?;
                 Ok(self.inputs.sources.snippet(name.span).into())
             }
             Token::Open(Bracket::Square, _) => {
@@ -188,8 +188,8 @@ impl<'a> Interpreter<'a> {
         let comma = self.stream.innermost().and_then(StackFrame::next).is_some_and(|e| e.comma);
         self.stream.set_comma(comma);
         self.stream.skip_element();
-        if let Some(level) = self.evaluator.level_of_prefix(symbol) {
-            return self.read_prefixed_name(level, span, has_comma_before);
+        if let Some(level) = self.evaluator.scope_level_of_prefix(symbol) {
+            return self.push_back_prefixed_element(level, span, has_comma_before);
         }
         let indices = self.read_indices(symbol)?;
         if indices.is_empty() {
@@ -203,7 +203,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the `.A` or `.A[i]` of `local.A` or `global.A[i]` (3.8), and pushes back one [`Token::Element`] for the whole.
     /// `has_comma_before` is true if a comma precedes the prefix.
-    fn read_prefixed_name(&mut self, level: u32, prefix: Span, has_comma_before: bool) -> Result<Token<'a>> {
+    fn push_back_prefixed_element(&mut self, level: u32, prefix: Span, has_comma_before: bool) -> Result<Token<'a>> {
         self.stream.advance();
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
         let indices = self.read_indices(symbol)?;
@@ -229,7 +229,7 @@ impl<'a> Interpreter<'a> {
                 }
                 Some(Token::Punctuation(Punctuation::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
                     self.stream.advance();
-                    let name = self.component_name()?;
+                    let name = self.read_component_name()?;
                     indices.push((Value::Text(self.inputs.sources.snippet(name.span).into()), name.span));
                 }
                 _ => return Ok(indices),
@@ -281,11 +281,16 @@ impl<'a> Interpreter<'a> {
             _ => return Ok(None),
         };
         let Some(lvalue) = self.dictionary_lvalue(base)? else { return Ok(None) };
-        self.evaluator.dictionary_element(&lvalue, e)
+        self.evaluator.dictionary_element_lvalue(&lvalue, e)
     }
 
     /// Evaluates the array access `A[i][j]` to the element's value.
-    pub(super) fn evaluate_index(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
+    pub(super) fn evaluate_array_access(
+        &mut self,
+        base: &'a Expr,
+        indices: &'a [Expr],
+        span: Span,
+    ) -> Result<Slot<'a>> {
         let lvalue = self.element_lvalue(base, indices)?;
         self.evaluator.slot_at(&lvalue, span)
     }
@@ -308,18 +313,18 @@ impl<'a> Interpreter<'a> {
             return self.lvalue_in_array(array, base.span, &indices, false);
         }
         match base.kind {
-            ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
+            ExprKind::Name(symbol) => self.lvalue_without_new_key(symbol, base.span, indices),
             _ => Diagnostic::err(codes::WRONG_TYPE, base.span, "only a name can have an index"),
         }
     }
 
     /// Returns the location of an element that is about to be declared. A new key is added to a dictionary.
-    pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
+    pub(super) fn lvalue_adding_new_key(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
         self.lvalue_at(symbol, span, &indices, true)
     }
 
-    fn lvalue_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
+    fn lvalue_without_new_key(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
         self.lvalue_at(symbol, span, &indices, false)
     }

@@ -43,7 +43,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Builtin(name, arguments) => self.call_builtin(name.name, arguments, e.span),
             ExprKind::Dot(..) => self.evaluate_member_access(e),
             ExprKind::Index(array, indices) => {
-                let slot = self.evaluate_index(array, indices, e.span)?;
+                let slot = self.evaluate_array_access(array, indices, e.span)?;
                 self.slot_value(slot, e.span)
             }
             ExprKind::Apply(function, arguments) => {

@@ -194,7 +194,7 @@ impl<'a> Interpreter<'a> {
         // Faults at the end of the text are reported at the file's last offset.
         let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
         self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
-        self.split_old_expressions();
+        self.split_rest_if_old();
         if let Some(header) = &self.inputs.options.header
             && let Err(fault) = self.include(header, Span::NONE, Span::NONE)
         {
@@ -209,7 +209,7 @@ impl<'a> Interpreter<'a> {
         // Directives and macros run while the next statement is peeked. A fault in them skips only the directive.
         let checkpoint = self.stream.checkpoint();
         if let Err(fault) = self.peek() {
-            return self.report_unless_run_ends(*fault, |me| me.stream.forget_look_ahead(checkpoint));
+            return self.report_unless_run_ends(*fault, |me| me.stream.restore_brackets_only(checkpoint));
         }
         let checkpoint = self.stream.checkpoint();
         match self.read_statement_unless_end() {
@@ -263,12 +263,12 @@ impl<'a> Interpreter<'a> {
     fn set_version(&mut self, version: u32) {
         self.builder.set_version(version);
         self.evaluator.set_version(version);
-        self.split_old_expressions();
+        self.split_rest_if_old();
     }
 
     /// Splits the rest of the file into tokens if operators are allowed only inside parentheses: the syntax tree has
     /// `<1 -2 3>` as a vector of two numbers.
-    fn split_old_expressions(&mut self) {
+    fn split_rest_if_old(&mut self) {
         if !self.builder.language().bare_operators {
             self.stream.retokenize_unread();
         }

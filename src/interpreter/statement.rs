@@ -247,7 +247,7 @@ impl Interpreter<'_> {
     /// Sets the properties that depend on the whole text, and closes open files.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
-        self.builder.set_version_properties();
+        self.builder.set_final_version_properties();
         if !self.builder.has_camera() && self.reporter.error_count() == 0 {
             let message = "the scene has no camera: the default one at <0, 0, 0> looks along z";
             self.reporter.report(

@@ -108,20 +108,20 @@ impl Profile {
         }
     }
 
-    /// Returns the share of a light's strength that reaches a point: `cos` is the cosine of the angle to the axis,
+    /// Returns the share of a light's strength that reaches a point: `cos_to_axis` is the cosine of the angle to the axis,
     /// `axis_distance` computes the distance from the axis, `along_axis` is the distance along it (quirk: `spotlight_profile`).
     #[inline]
-    pub fn strength_share(&self, cos: f64, axis_distance: impl FnOnce() -> f64, along_axis: f64) -> f64 {
+    pub fn strength_share(&self, cos_to_axis: f64, axis_distance: impl FnOnce() -> f64, along_axis: f64) -> f64 {
         match *self {
             Profile::Round => 1.0,
             Profile::Cone { radius, falloff, tightness } => {
-                let edge = match cos {
+                let edge = match cos_to_axis {
                     cos if cos >= radius => 1.0,
                     cos if cos > falloff => unclamped_smooth_step((cos - falloff) / (radius - falloff)),
                     _ => return 0.0,
                 };
                 // Behind the light the cosine is negative, and its power is 0.
-                if tightness == 0.0 { edge } else { edge * fp::power(cos.max(0.0), tightness) }
+                if tightness == 0.0 { edge } else { edge * fp::power(cos_to_axis.max(0.0), tightness) }
             }
             Profile::Tube(Edge { radius, falloff, tightness }) => {
                 let beside = axis_distance();

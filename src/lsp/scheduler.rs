@@ -50,7 +50,7 @@ impl ActiveRuns {
 
 impl<S: Client> Server<S> {
     /// Schedules a run of the scenes that read a text.
-    pub(in crate::lsp) fn schedule(&mut self, key: &str) {
+    pub(in crate::lsp) fn schedule_scenes_reading(&mut self, key: &str) {
         let due = Some(Instant::now() + PAUSE);
         for scene in self.scenes_of(key) {
             if let Some(document) = self.open.get_mut(&scene) {

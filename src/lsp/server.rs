@@ -174,7 +174,7 @@ impl<S: Client> Server<S> {
             "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
                 // Included files may have changed on the disk.
                 let all: Vec<_> = self.open.keys().cloned().collect();
-                all.iter().for_each(|key| self.schedule(key));
+                all.iter().for_each(|key| self.schedule_scenes_reading(key));
                 Ok(())
             }
             "textDocument/didClose" => {
@@ -226,7 +226,7 @@ impl<S: Client> Server<S> {
 
     fn changed(&mut self, key: &str) {
         self.publish(key);
-        self.schedule(key);
+        self.schedule_scenes_reading(key);
     }
 
     /// The open scenes that read a text, including the text itself if it is a scene.
@@ -291,7 +291,7 @@ impl<S: Client> Server<S> {
         self.files = Files::default();
         let gone = self.results.remove(key).unwrap_or_default();
         gone.keys().map(String::as_str).chain([key]).for_each(|address| self.publish(address));
-        scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule(scene));
+        scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule_scenes_reading(scene));
         Ok(())
     }
 

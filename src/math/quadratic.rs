@@ -74,12 +74,19 @@ impl Quadratic {
 
     /// Returns the interval along an axis where the quadratic function can be 0 or less, given the intervals along the
     /// other axes; `None` if it is empty.
-    fn nonpositive_interval_along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
+    fn nonpositive_interval_along(
+        &self,
+        axis: usize,
+        diagonal_coefficients: DVec3,
+        within: &Aabb,
+    ) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
-        let least = others.map(|i| quadratic_minimum_value(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
+        let least = others
+            .map(|i| quadratic_minimum_value(diagonal_coefficients[i], 2.0 * self.h[i], within.min[i], within.max[i]));
         let sizes = self.c.abs() + least[0].abs() + least[1].abs();
         // a·x² + b·x + rest ≤ 0
-        let (a, b, rest) = (squares[axis], 2.0 * self.h[axis], self.c + least[0] + least[1] - ROUNDING * sizes);
+        let (a, b, rest) =
+            (diagonal_coefficients[axis], 2.0 * self.h[axis], self.c + least[0] + least[1] - ROUNDING * sizes);
         let everywhere = Some((f64::NEG_INFINITY, f64::INFINITY));
         if !rest.is_finite() || a < 0.0 {
             return everywhere;

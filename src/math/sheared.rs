@@ -36,7 +36,7 @@ impl Sheared {
 
     /// Returns twice the signed areas between the ray and each side of a triangle.
     #[inline(always)]
-    pub(super) fn signed_areas(a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
+    pub(super) fn doubled_signed_areas(a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
         let side = |p: DVec3, q: DVec3| p.x * q.y - p.y * q.x;
         [side(c, b), side(a, c), side(b, a)]
     }
@@ -50,7 +50,7 @@ impl Sheared {
     /// Returns t and the barycentric weights of the second and third corner, where the ray's line hits the triangle.
     pub fn intersect(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
         let [a, b, c] = corners.map(|p| self.shear_reordered_corner(self.axes.map(|axis| p[axis])));
-        let [u, v, w] = Self::signed_areas(a, b, c);
+        let [u, v, w] = Self::doubled_signed_areas(a, b, c);
         let det = u + v + w;
         if !Self::have_equal_signs([u, v, w]) || det == 0.0 {
             return None;

@@ -13,13 +13,13 @@ pub fn normal_quantile(probability: f64) -> f64 {
     if probability < 0.5 { -distance } else { distance }
 }
 
-/// Returns the quantile of the chi-square distribution with `degrees` degrees of freedom, for the probability whose normal
+/// Returns the quantile of the chi-square distribution with these degrees of freedom, for the probability whose normal
 /// quantile is `z_score`; 0 where the approximation is negative (E. Wilson and M. Hilferty, "The Distribution of
 /// Chi-square", 1931).
-pub fn chi_square_quantile(degrees: f64, z_score: f64) -> f64 {
-    let variance = 2.0 / (9.0 * degrees);
+pub fn chi_square_quantile(degrees_of_freedom: f64, z_score: f64) -> f64 {
+    let variance = 2.0 / (9.0 * degrees_of_freedom);
     let root = (1.0 - variance + z_score * variance.sqrt()).max(0.0);
-    degrees * root * root * root
+    degrees_of_freedom * root * root * root
 }
 
 #[cfg(test)]

@@ -154,7 +154,7 @@ impl Interior {
     }
 
     /// Returns the transmittance over a distance inside the shape, in world units (manual, "Attenuation").
-    pub fn attenuation(&self, distance: f64) -> Rgb {
+    pub fn transmittance_over(&self, distance: f64) -> Rgb {
         if self.fade_distance <= 0.0 {
             return Rgb::ONE;
         }
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn attenuation_by_distance_and_power() {
         let one = |fade_distance, fade_power| {
-            Interior { fade_distance, fade_power, ..Interior::default() }.attenuation(2.0).x
+            Interior { fade_distance, fade_power, ..Interior::default() }.transmittance_over(2.0).x
         };
         let values = [one(0.0, 2.0), one(1.0, 1.0), one(0.5, 2.0), one(1.0, 0.0), one(1.0, 1000.0)];
         for (found, wanted) in values.into_iter().zip([1.0, 1.0 / 3.0, 1.0 / 17.0, 0.5, fp::exp(-2.0f64)]) {
@@ -208,6 +208,6 @@ mod tests {
         }
         let fade_color = Rgb::new(0.2, 0.5, 1.0);
         let colored = Interior { fade_distance: 1.0, fade_power: 1.0, fade_color, ..Interior::default() };
-        assert!(colored.attenuation(2.0).distance(Rgb::new(7.0 / 15.0, 2.0 / 3.0, 1.0)) < 1e-12);
+        assert!(colored.transmittance_over(2.0).distance(Rgb::new(7.0 / 15.0, 2.0 / 3.0, 1.0)) < 1e-12);
     }
 }

@@ -131,7 +131,7 @@ const MEDIA_ROWS: &[Row<Media>] = &[
     word("aa_level", Float, "3", "method 3: how often a stretch is halved, 1 or more")
         .sets(|s, r| set(&mut s.sampling.aa_level, read_count("aa_level", r))),
     word("aa_threshold", Float, "0.1", "method 3: the difference above which a stretch is halved")
-        .sets(|s, r| set(&mut s.sampling.aa_threshold, read_threshold(r))),
+        .sets(|s, r| set(&mut s.sampling.aa_threshold, read_aa_threshold(r))),
     word("collect", Flag, "on", "whether photons are stored in it")
         .sets(|s, r| set(&mut s.ignores_photons, r.flag().map(|collects| !collects))),
 ];
@@ -224,7 +224,7 @@ fn read_confidence(r: &mut dyn Reader) -> Result<f64> {
 }
 
 /// Reads the value of `aa_threshold`, a difference of samples above 0.
-fn read_threshold(r: &mut dyn Reader) -> Result<f64> {
+fn read_aa_threshold(r: &mut dyn Reader) -> Result<f64> {
     let (at, number) = (r.span(), r.float()?);
     if number > 0.0 {
         return Ok(number);

@@ -28,7 +28,7 @@ impl Field for Bozo {
         noise::noise(at.p, at.noise)
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         LocalBounds::from_max_gradient(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
     }
 

@@ -84,7 +84,7 @@ pub trait Field {
     }
 
     /// Returns bounds on the pattern's numbers within a radius of the point, before frequency, phase and wave.
-    fn bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
         LocalBounds::UNKNOWN
     }
 
@@ -94,7 +94,7 @@ pub trait Field {
     }
 
     /// True if the pattern uses `turbulence` in its own way; for all others the point is displaced.
-    fn owns_turbulence(&self) -> bool {
+    fn handles_turbulence_itself(&self) -> bool {
         false
     }
 

@@ -66,7 +66,7 @@ impl Field for Crackle {
         value.clamp(0.0, 1.0)
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // No distance grows faster than the point moves, except the largest-component metric along the axes.
         let steepest = match self.metric {
             1.0 => 3f64.sqrt(),
@@ -119,19 +119,19 @@ pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
             continue;
         }
         let step = DVec3::new(i as f64, j as f64, k as f64);
-        let site = step + cell.offset_by([i, j, k]).random_point() - within;
+        let site = step + cell.offset_by([i, j, k]).random_offset_in_cell() - within;
         near.insert_site(metric_sum(site, metric), p + site);
     }
     near
 }
 
 /// Returns, of the sites in the cubes around the point, the site whose coordinates x + y + z have the least sum.
-pub fn site_with_least_xyz(p: DVec3) -> DVec3 {
+pub fn least_coordinate_sum_site(p: DVec3) -> DVec3 {
     let (cell, within) = Cell::cell_and_position(p);
     let corner = p - within;
-    let sites = AROUND
-        .iter()
-        .map(|&[i, j, k]| corner + DVec3::new(i as f64, j as f64, k as f64) + cell.offset_by([i, j, k]).random_point());
+    let sites = AROUND.iter().map(|&[i, j, k]| {
+        corner + DVec3::new(i as f64, j as f64, k as f64) + cell.offset_by([i, j, k]).random_offset_in_cell()
+    });
     sites.min_by(|a, b| a.element_sum().total_cmp(&b.element_sum())).unwrap_or(p)
 }
 
@@ -212,7 +212,7 @@ mod tests {
         fn skipping_far_cubes_changes_nothing(p in prop::array::uniform3(-9.0..9.0f64), metric in 0.3..9.0f64) {
             let p = DVec3::from(p);
             let (cell, within) = Cell::cell_and_position(p);
-            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.offset_by(*s).random_point() - within;
+            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.offset_by(*s).random_offset_in_cell() - within;
             let mut sums = AROUND.map(|step| metric_sum(site(&step), metric));
             sums.sort_by(f64::total_cmp);
             prop_assert_eq!(sums[..3].to_vec(), nearest_sites(p, metric).sums.to_vec());
@@ -224,7 +224,7 @@ mod tests {
             let (cell, within) = Cell::cell_and_position(p);
             let mut slow = Nearest { sums: [f64::INFINITY; 3], site: p };
             for step in &AROUND {
-                let site = DVec3::from(step.map(|i| i as f64)) + cell.offset_by(*step).random_point() - within;
+                let site = DVec3::from(step.map(|i| i as f64)) + cell.offset_by(*step).random_offset_in_cell() - within;
                 slow.insert_site(metric_sum(site, 2.0), p + site);
             }
             let fast = nearest_sites(p, 2.0);

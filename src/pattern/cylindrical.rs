@@ -28,7 +28,7 @@ impl Field for Cylindrical {
         (1.0 - fp::hypot(at.p.x, at.p.z)).max(0.0)
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         LocalBounds::from_max_gradient(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
     }
 

@@ -78,15 +78,16 @@ impl Readable for DensityFile {
 }
 
 impl DensityFile {
-    /// Returns the weighted sum of the density file's numbers from `cell` on, with `weights` for each axis; the grid
+    /// Returns the weighted sum of the density file's numbers from `first_cell` on, with `weights` for each axis; the grid
     /// repeats.
-    fn weighted_sum<const N: usize>(&self, cell: [i64; 3], weights: [[f64; N]; 3]) -> f64 {
+    fn weighted_sum<const N: usize>(&self, first_cell: [i64; 3], weights: [[f64; N]; 3]) -> f64 {
         let mut sum = 0.0;
         for k in 0..N {
             for j in 0..N {
                 for i in 0..N {
                     let step = [i, j, k];
-                    let place = std::array::from_fn(|a| wrap_index(cell[a] + step[a] as i64, self.voxels.size[a]));
+                    let place =
+                        std::array::from_fn(|a| wrap_index(first_cell[a] + step[a] as i64, self.voxels.size[a]));
                     sum += weights[0][i] * weights[1][j] * weights[2][k] * self.voxels.density_at(place);
                 }
             }

@@ -27,7 +27,7 @@ impl Field for Dents {
         noise::noise(at.p, at.noise).powi(3)
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // (n³)' = 3 n² n'
         let noise = LocalBounds::from_max_gradient(noise::noise(at.p, at.noise), at.noise.max_gradient(), radius)
             .clamp_range(0.0, 1.0);

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { color rgb 0.8 } normal { facets coords 0.4 scale 3 } }
 //! ```
 
-use super::crackle::{nearest_sites, site_with_least_xyz};
+use super::crackle::{least_coordinate_sum_site, nearest_sites};
 use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
@@ -59,7 +59,11 @@ impl Field for Facets {
         let size = if self.size > 0.0 { self.size } else { LEAST_SIZE };
         // With metric 1, POV-Ray 3.7 adds the signed differences (quirk: facets_signed_metric).
         let site = |p: DVec3| {
-            if self.metric == 1.0 { site_with_least_xyz(p / size) } else { nearest_sites(p / size, self.metric).site }
+            if self.metric == 1.0 {
+                least_coordinate_sum_site(p / size)
+            } else {
+                nearest_sites(p / size, self.metric).site
+            }
         };
         if self.coords == 0.0 {
             return Some(site(unit));

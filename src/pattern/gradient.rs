@@ -47,11 +47,11 @@ impl Field for Gradient {
         if along > 1.0 { along.fract() } else { along }
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         let along = LocalBounds::from_max_gradient(at.p.dot(self.direction), self.direction.length(), radius);
         match along.range {
             range if range.hi <= 1.0 => along,
-            range if range.lo > 1.0 => along.fraction_bounds(),
+            range if range.lo > 1.0 => along.fractional_part_bounds(),
             _ => LocalBounds::UNKNOWN,
         }
     }

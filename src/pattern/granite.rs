@@ -30,7 +30,7 @@ impl Field for Granite {
         far.min(1.0)
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // All six octaves are equally steep, apart from each one's range, and rarely in the same place.
         let steepest = 8.0 * at.noise.max_gradient();
         let octave = |i: i32| (steepest * radius).min(0.5f64.powi(i + 1));

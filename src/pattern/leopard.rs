@@ -28,7 +28,7 @@ impl Field for Leopard {
         mean * mean
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // The gradient of the mean is (cos x, cos y, cos z) / 3.
         let mean = (fp::sin(at.p.x) + fp::sin(at.p.y) + fp::sin(at.p.z)) / 3.0;
         let mean = LocalBounds::from_max_gradient(mean, 1.0 / 3f64.sqrt(), radius).clamp_range(-1.0, 1.0);

@@ -33,7 +33,7 @@ impl Field for Marble {
         at.p.x
     }
 
-    fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
         if params.turbulence.amount != DVec3::ZERO {
             return LocalBounds::UNKNOWN;
         }
@@ -48,7 +48,7 @@ impl Field for Marble {
         at.p.x + by.amount.x * noise::turbulence(at.p, by.to_octaves(), at.noise)
     }
 
-    fn owns_turbulence(&self) -> bool {
+    fn handles_turbulence_itself(&self) -> bool {
         true
     }
 

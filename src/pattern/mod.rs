@@ -173,11 +173,11 @@ delegate! {
     impl Field for FieldPattern {
         fn value(&self, at: &TextureContext) -> f64;
         fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64;
-        fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds;
+        fn value_bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds;
         fn support(&self) -> Option<Support>;
         fn default_wave(&self) -> Option<Wave>;
         fn starts_with_zero_frequency(&self) -> bool;
-        fn owns_turbulence(&self) -> bool;
+        fn handles_turbulence_itself(&self) -> bool;
         fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3>;
         fn default_colors(&self) -> Vec<(f64, Color)>;
     }

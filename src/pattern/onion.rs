@@ -26,7 +26,7 @@ impl Field for Onion {
         at.p.length().fract()
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::from_max_gradient(at.p.length(), 1.0, radius).fraction_bounds()
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        LocalBounds::from_max_gradient(at.p.length(), 1.0, radius).fractional_part_bounds()
     }
 }

@@ -30,7 +30,7 @@ impl Field for Wood {
         at.p.truncate().length()
     }
 
-    fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
         if params.turbulence.amount != DVec3::ZERO {
             return LocalBounds::UNKNOWN;
         }
@@ -48,7 +48,7 @@ impl Field for Wood {
         (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()
     }
 
-    fn owns_turbulence(&self) -> bool {
+    fn handles_turbulence_itself(&self) -> bool {
         true
     }
 

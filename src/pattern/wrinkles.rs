@@ -33,7 +33,7 @@ impl Field for Wrinkles {
         octaves.iter().zip(HALVES).map(|(noise, weight)| 0.5 * weight * noise).sum()
     }
 
-    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+    fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // All ten octaves are equally steep, apart from each one's range, and rarely in the same place.
         let steepest = at.noise.max_gradient();
         let octave = |most: f64| (steepest * radius).min(0.5 * most);

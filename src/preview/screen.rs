@@ -148,13 +148,13 @@ impl Screen {
     }
 
     /// Displays an area of the larger picture, in linear colour and row by row. Pixels outside of the view are ignored.
-    pub fn put(&self, area: Region, pixels: &[[f32; 4]]) {
+    pub fn put(&self, area_of_larger_picture: Region, pixels: &[[f32; 4]]) {
         self.change(|contents, stamp| {
             let Some(picture) = &mut contents.picture else { return };
             let view = picture.view.area;
             let columns = picture.tile_columns();
-            for (y, row) in (area.y..).zip(pixels.chunks(area.width.max(1))) {
-                for (x, pixel) in (area.x..).zip(row) {
+            for (y, row) in (area_of_larger_picture.y..).zip(pixels.chunks(area_of_larger_picture.width.max(1))) {
+                for (x, pixel) in (area_of_larger_picture.x..).zip(row) {
                     let (Some(left), Some(top)) = (x.checked_sub(view.x), y.checked_sub(view.y)) else { continue };
                     if left < view.width && top < view.height {
                         picture.image.pixels[top * view.width + left] = *pixel;

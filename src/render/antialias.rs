@@ -160,7 +160,7 @@ const HALF_OCTAVES: usize = 32;
 
 /// Returns the number of half octaves from [`DARK`] to the one of `x`, which is at least [`DARK`]. The half octaves of an octave
 /// are [1, 1.5) and [1.5, 2) times its start.
-fn half_octave(x: f32) -> usize {
+fn half_octaves_above_dark(x: f32) -> usize {
     ((x.to_bits() - DARK.to_bits()) >> (f32::MANTISSA_DIGITS - 2)) as usize
 }
 
@@ -223,11 +223,11 @@ impl Difference {
         let difference = f64::from(high) - f64::from(low);
         let Some(last) = self.slopes.len().checked_sub(1) else { return [0.0, f64::INFINITY] };
         let most = match low >= DARK {
-            true => self.slopes[half_octave(low).min(last)] * difference,
+            true => self.slopes[half_octaves_above_dark(low).min(last)] * difference,
             false if difference <= self.negligible => threshold * 0.25,
             false => f64::INFINITY,
         };
-        let after = if high >= DARK { half_octave(high) + 1 } else { 0 };
+        let after = if high >= DARK { half_octaves_above_dark(high) + 1 } else { 0 };
         [self.slopes.get(after).map_or(0.0, |slope| slope * difference), most]
     }
 }

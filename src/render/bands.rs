@@ -20,7 +20,7 @@ const BAND: usize = 1 << 18;
 const BYTES_PER_PIXEL: u128 = 6 * size_of::<Pixel>() as u128;
 
 /// Returns the number of rows of each band of an area.
-fn band_rows(area: Region) -> usize {
+fn rows_per_band(area: Region) -> usize {
     let bands = area.width.saturating_mul(area.height).div_ceil(BAND).max(1);
     let rows = area.height.div_ceil(bands).max(1);
     if rows < TILE { rows } else { rows.next_multiple_of(TILE) }
@@ -28,7 +28,7 @@ fn band_rows(area: Region) -> usize {
 
 /// Returns the maximum memory for the bands of an area, in bytes.
 pub(super) fn memory_bytes(area: Region) -> u128 {
-    area.width as u128 * band_rows(area).min(area.height) as u128 * BYTES_PER_PIXEL
+    area.width as u128 * rows_per_band(area).min(area.height) as u128 * BYTES_PER_PIXEL
 }
 
 /// One render of a region.
@@ -47,7 +47,7 @@ impl FrameRender<'_> {
     /// Renders every pixel of the region and passes the rows to `receiver`.
     pub fn run(&self, receiver: &mut RowReceiver) -> Result<RayCounts, Stopped> {
         let (region, area) = (self.region, self.first_area());
-        let rows = band_rows(region);
+        let rows = rows_per_band(region);
         let (mut counts, n_done) = (RayCounts::default(), AtomicUsize::new(0));
         let mut first_samples = PixelRows::new(area.unwrap_or(Region { height: 0, ..region }));
         let (mut next_row, mut finished) = (region.y, vec![]);
@@ -65,7 +65,7 @@ impl FrameRender<'_> {
             let band_before = std::mem::take(&mut finished);
             let pass_on = || if band_before.is_empty() { Ok(()) } else { receiver(band_before) };
             let render = |job: &Tile| {
-                self.load_or_render(*job, &n_done, self.pixels_of_all_passes(), || {
+                self.load_or_render(*job, &n_done, self.pixel_count_of_passes(), || {
                     self.render_tile(job, &first_samples)
                 })
             };
@@ -88,11 +88,11 @@ impl FrameRender<'_> {
     }
 
     /// Returns the end of the rows for which the final pass has the first samples around each pixel.
-    fn final_rows_end(&self, first_samples: &PixelRows, next_row: usize, rows: usize) -> usize {
+    fn final_rows_end(&self, first_samples: &PixelRows, next_row: usize, max_rows: usize) -> usize {
         let end = self.region.y + self.region.height;
         let alignment = self.final_rows_per_group();
         match self.first_area() {
-            None => (next_row + rows).min(end),
+            None => (next_row + max_rows).min(end),
             Some(area) if first_samples.end_row() == area.y + area.height => end,
             Some(_) => (first_samples.end_row().saturating_sub(1) / alignment * alignment).clamp(next_row, end),
         }
@@ -168,7 +168,7 @@ impl FrameRender<'_> {
     }
 
     /// Returns the number of pixels that both passes of the render compute together, for the display of progress.
-    fn pixels_of_all_passes(&self) -> usize {
+    fn pixel_count_of_passes(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
         pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))
     }
@@ -194,7 +194,7 @@ mod tests {
 
     #[test]
     fn bands_bound_the_memory_of_large_pictures() {
-        let rows = |width, height| band_rows(Region { x: 0, y: 0, width, height });
+        let rows = |width, height| rows_per_band(Region { x: 0, y: 0, width, height });
         assert_eq!((rows(640, 480), rows(3840, 2160), rows(1 << 30, 5), rows(1, 1)), (240, 80, 1, 1));
         assert!(memory_bytes(Region { x: 0, y: 0, width: 3840, height: 2160 }) < 32 << 20);
     }

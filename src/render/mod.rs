@@ -234,14 +234,14 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let (width, height) = (options.width, options.height);
     let region = options.rendered_region();
     if region.width == 0 || region.height == 0 {
-        outside_rows(rows, options, height)?;
+        write_outside_rows(rows, options, height)?;
         return Ok(RayCounts::default());
     }
     let workers = Workers::new(options.threads, watch);
     let camera = FrameCamera::new(&world.eye, width, height);
     let context = prepare::prepare(world, &camera, options, &workers)?;
     let method = antialias::Method::new(world, camera.lens.as_ref(), options);
-    outside_rows(rows, options, region.y)?;
+    write_outside_rows(rows, options, region.y)?;
     let conversion = OutputConversion::new(world, options);
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = conversion.to_linear_rgba(pixel));
@@ -257,7 +257,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     };
     let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
     let counts = frame.run(&mut take)?;
-    outside_rows(rows, options, height - region.y - region.height)?;
+    write_outside_rows(rows, options, height - region.y - region.height)?;
     Ok(counts)
 }
 
@@ -266,7 +266,7 @@ fn outside_pixel(options: &Options) -> [f32; 4] {
     [0.0, 0.0, 0.0, options.outside_alpha]
 }
 
-fn outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diagnostic::Result<()> {
+fn write_outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diagnostic::Result<()> {
     let row = vec![outside_pixel(options); if rows > 0 { options.width } else { 0 }];
     (0..rows).try_for_each(|_| to.write_rows(&row))
 }

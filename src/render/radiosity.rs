@@ -107,7 +107,7 @@ fn run_pass(
         Ok(sampler.take_radiosity_samples())
     };
     preparation.run_pass_in_batches(
-        &Pass { name: "radiosity", jobs: &grid.cells() },
+        &Pass { name: "radiosity", jobs: &grid.cells_in_spread_order() },
         context,
         |context| (n_samples(context) / BATCH_SHARE).clamp(MIN_BATCH, MAX_BATCH),
         work,
@@ -139,7 +139,7 @@ impl PointGrid {
 
     /// Returns all cells by column and row, in an order in which each part of the list is spread over the picture: the
     /// places in the list are multiples of a number near the golden section of its length, coprime to the length.
-    fn cells(&self) -> Vec<[u32; 2]> {
+    fn cells_in_spread_order(&self) -> Vec<[u32; 2]> {
         let [columns, rows] = self.point_columns_and_rows().map(|n| n.div_ceil(self.edge));
         let n = columns * rows;
         let first = ((n as f64 * GOLDEN_SECTION) as usize).max(1);
@@ -170,7 +170,8 @@ mod tests {
         for size in [[1, 1], [1, 7], [13, 10], [16, 16], [21, 34]] {
             for edge in [1, 8] {
                 let grid = PointGrid { size, step: 1.0, edge };
-                let mut points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.pixel_positions(cell)).collect();
+                let mut points: Vec<_> =
+                    grid.cells_in_spread_order().into_iter().flat_map(|cell| grid.pixel_positions(cell)).collect();
                 points.sort_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
                 let pixel = |i: usize| [(i % size[0]) as f64 + 0.5, (i / size[0]) as f64 + 0.5];
                 assert_eq!(points, (0..size[0] * size[1]).map(pixel).collect::<Vec<_>>());
@@ -181,7 +182,8 @@ mod tests {
     #[test]
     fn coarse_grids_stay_in_the_picture() {
         let grid = PointGrid { size: [20, 13], step: 8.0, edge: 1 };
-        let points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.pixel_positions(cell)).collect();
+        let points: Vec<_> =
+            grid.cells_in_spread_order().into_iter().flat_map(|cell| grid.pixel_positions(cell)).collect();
         assert_eq!(points.len(), 6);
         assert!(points.iter().all(|[x, y]| *x < 20.0 && *y < 13.0));
     }

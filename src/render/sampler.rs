@@ -22,8 +22,8 @@ impl<'w> Sampler<'w> {
     }
 
     /// Starts a sample of a pixel: later random numbers are keyed by both.
-    pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
-        self.tracer.begin_sample(pixel, sample);
+    pub fn begin_sample(&mut self, pixel_key: u64, sample: u64) {
+        self.tracer.begin_sample(pixel_key, sample);
     }
 
     /// Returns random numbers of the current sample.

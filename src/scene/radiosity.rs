@@ -40,10 +40,10 @@ pub struct Radiosity {
     /// Maximum of the largest channel of a ray's light; no limit unless positive.
     pub max_sample: f64,
     /// Maximum radius of a sample, as a share of its distance from the camera; `None` if the scene states none. See
-    /// [`Radiosity::relative_reuse_radius_limits`].
+    /// [`Radiosity::reuse_radius_per_distance`].
     pub maximum_reuse: Option<f64>,
     /// Minimum radius of a sample, as a share of its distance from the camera; `None` if the scene states none. See
-    /// [`Radiosity::relative_reuse_radius_limits`].
+    /// [`Radiosity::reuse_radius_per_distance`].
     pub minimum_reuse: Option<f64>,
     /// True if rays that gather light show fog and media.
     pub media: bool,
@@ -174,7 +174,7 @@ impl Radiosity {
 
     /// Returns the minimum and the maximum radius of a sample, as shares of its distance from the camera. If only one of
     /// them is stated, the other one is at least twice or at most half as large.
-    pub fn relative_reuse_radius_limits(&self) -> [f64; 2] {
+    pub fn reuse_radius_per_distance(&self) -> [f64; 2] {
         match (self.minimum_reuse, self.maximum_reuse) {
             (Some(minimum), Some(maximum)) => [minimum, maximum],
             (Some(minimum), None) => [minimum, MAXIMUM_REUSE.max(2.0 * minimum)],
@@ -185,7 +185,7 @@ impl Radiosity {
 
     /// Checks settings that depend on each other.
     fn check_ranges(&self, at: Span) -> Result<()> {
-        let [minimum, maximum] = self.relative_reuse_radius_limits();
+        let [minimum, maximum] = self.reuse_radius_per_distance();
         if minimum >= maximum {
             return Diagnostic::err(codes::BAD_ARGUMENT, at, "`minimum_reuse` has to be less than `maximum_reuse`");
         }

@@ -58,7 +58,7 @@ impl Weight {
     ///
     /// # Errors
     /// E0242 if there are too many.
-    pub fn check_clipping(parts: &[Object], source: Span) -> Result<()> {
+    pub fn check_clipping_shape_count(parts: &[Object], source: Span) -> Result<()> {
         if Self::default().enclosing(parts).shapes <= MAX_CLIPPING {
             return Ok(());
         }

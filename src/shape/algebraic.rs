@@ -186,9 +186,9 @@ impl<const FORM: usize> Algebraic<FORM> {
         of_x.plus(of_y.times_coordinate_power(p, 1, j)).times_coordinate_power(p, 0, i)
     }
 
-    /// Calls `found` with each hit of a ray on the algebraic surface in the range, ascending, until `found` returns
+    /// Calls `stops_at` with each hit of a ray on the algebraic surface in the range, ascending, until `stops_at` returns
     /// true.
-    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
+    fn search(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(f64) -> bool) {
         // Start from the ray's point nearest to the origin, so that a distant eye costs no digits.
         let length = ray.dir.length();
         let range = range.raised_to_min_distance(tolerance::OWN_SURFACE / length);
@@ -198,7 +198,7 @@ impl<const FORM: usize> Algebraic<FORM> {
         let (lo, hi) = (range.min * length - middle, range.max * length - middle);
         let mut report_root = |s: f64| {
             let t = (s + middle) / length;
-            range.contains(t) && t.is_finite() && found(t)
+            range.contains(t) && t.is_finite() && stops_at(t)
         };
         if self.order <= 4 {
             polynomial_roots_between(&self.along_line::<5>(o, v).c, lo, hi, &mut report_root);

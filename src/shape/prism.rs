@@ -80,7 +80,7 @@ impl Prism {
     }
 
     /// Returns the parameter of the ray where it hits the prism's wall over a point of the outline.
-    fn wall_hit_parameter(&self, ray: &Ray, p: DVec2) -> f64 {
+    fn ray_t_at_wall(&self, ray: &Ray, p: DVec2) -> f64 {
         let (o, v) = (ray.origin, ray.dir);
         if self.conic {
             // (oₓ + t·vₓ) = pₓ·(o_y + t·v_y), and z likewise: divide by the larger divisor
@@ -105,7 +105,7 @@ impl Prism {
         for segment in (0..self.outlines.segments.len()).filter(|segment| self.may_hit_segment(ray, *segment, way)) {
             let b = self.outlines.affine_bernstein_coefficients(segment, |p| c + n.dot(p));
             bernstein_roots(&b, &mut |at| {
-                let t = self.wall_hit_parameter(ray, self.outlines.point_at(segment, at));
+                let t = self.ray_t_at_wall(ray, self.outlines.point_at(segment, at));
                 let y = ray.at(t).y;
                 if range.contains(t) && y >= self.bottom && y <= self.top {
                     out.push(Hit { t, part: segment as u32, uv: DVec2::new(at, 0.0) });
@@ -134,7 +134,7 @@ impl Prism {
         }
         let (mut min, mut max) = (f64::INFINITY, f64::NEG_INFINITY);
         for p in self.outlines.control_points(segment) {
-            let t = self.wall_hit_parameter(ray, *p);
+            let t = self.ray_t_at_wall(ray, *p);
             (min, max) = (min.min(t), max.max(t));
         }
         let margin = MARGIN * min.abs().max(max.abs());

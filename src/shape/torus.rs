@@ -34,7 +34,7 @@ impl Torus {
     }
 
     /// Bounding box of the torus, whatever the signs of its radii.
-    fn bounding_pipe(&self) -> Aabb {
+    fn torus_bounding_box(&self) -> Aabb {
         let across = self.major.abs() + self.minor.abs();
         let corner = DVec3::new(across, self.minor.abs(), across);
         Aabb { min: -corner, max: corner }
@@ -72,7 +72,7 @@ impl Torus {
     fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         // Search roots in the bounding pipe only. The range is not used, since it must not change the last digit of a
         // hit.
-        let around = self.bounding_pipe().grown(0.01 * self.minor.abs());
+        let around = self.torus_bounding_box().grown(0.01 * self.minor.abs());
         let Some((near, far)) =
             around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.is_visible_along(ray))
         else {
@@ -162,7 +162,7 @@ impl Kernel for Torus {
         if self.minor == 0.0 {
             return Aabb::EMPTY;
         }
-        self.bounding_pipe()
+        self.torus_bounding_box()
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

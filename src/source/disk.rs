@@ -77,8 +77,8 @@ impl Files for Disk {
         if is_special(&path) {
             return Ok(Draft::in_memory(&path));
         }
-        let file =
-            tempfile::tempfile_in(parent_folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
+        let file = tempfile::tempfile_in(parent_folder(&path))
+            .map_err(|e| io::Error::new(e.kind(), error_text_without_path(&e)))?;
         Ok(Draft { path, bytes: DraftStorage::Disk(io::BufWriter::with_capacity(1 << 16, file)), is_durable: false })
     }
 
@@ -275,7 +275,7 @@ fn temporary_file_beside(path: &Path) -> io::Result<NamedTempFile> {
     builder.prefix(".durer-").suffix(".part");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(parent_folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
+    builder.tempfile_in(parent_folder(path)).map_err(|e| io::Error::new(e.kind(), error_text_without_path(&e)))
 }
 
 /// Waits until the names in the folder of `path` would survive a power loss. Failures are ignored.
@@ -291,7 +291,7 @@ fn parent_folder(path: &Path) -> &Path {
 }
 
 /// Returns the error's text without the path of the temporary file, which the user does not know.
-fn system_text(error: &io::Error) -> String {
+fn error_text_without_path(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" at path \"").next().unwrap_or_default().to_string()
 }

@@ -95,7 +95,7 @@ pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
 
 /// Returns the font file in and below these folders whose style is nearest to the style of the font `name`. The result
 /// depends only on the set of files that may be read.
-pub fn find_similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
+pub fn find_similar_font(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of_font_name(name));
     found.sort_by_cached_key(|file| (style_difference_key(wanted, file), file.clone()));
     found.into_iter().find(|file| files.may_read(file))
@@ -178,7 +178,7 @@ mod tests {
 
     fn found(name: &str, folders: &[&tempfile::TempDir]) -> Option<String> {
         let folders: Vec<PathBuf> = folders.iter().map(|f| f.path().to_path_buf()).collect();
-        let file = find_similar(&Disk, name, &folders)?;
+        let file = find_similar_font(&Disk, name, &folders)?;
         Some(file.file_stem()?.to_str()?.to_string())
     }
 
@@ -216,6 +216,6 @@ mod tests {
         assert_eq!(found("arial.ttf", &[&folder(&[])]), None);
         let fonts = folder(DEJAVU);
         let nothing = Sandbox::default();
-        assert_eq!(find_similar(&Sandboxed::new(&Disk, &nothing), "arial.ttf", &[fonts.path().into()]), None);
+        assert_eq!(find_similar_font(&Sandboxed::new(&Disk, &nothing), "arial.ttf", &[fonts.path().into()]), None);
     }
 }

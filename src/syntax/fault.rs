@@ -79,12 +79,12 @@ fn missing_name_or_equals_error(text: &str, at: usize, base: usize) -> Option<Di
     let before = text[..at].trim_end();
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
     let found = describe_text_at(text, at);
-    if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = name_of_last_directive(before) {
+    if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = directive_name_at_end(before) {
         let d = fault(format!("expected a name after `#{directive}`, found {found}"));
         return Some(d.help("names are made of the letters a to z, digits and `_`"));
     }
     let name = word_at_end(before)?;
-    let directive = name_of_last_directive(before[..before.len() - name.len()].trim_end())?;
+    let directive = directive_name_at_end(before[..before.len() - name.len()].trim_end())?;
     let d = fault(format!("expected `=` after `#{directive} {name}`, found {found}"));
     let line = text[at..].lines().next().unwrap_or_default();
     let value = line.split([';', '/']).next().unwrap_or_default().trim();
@@ -93,7 +93,7 @@ fn missing_name_or_equals_error(text: &str, at: usize, base: usize) -> Option<Di
 }
 
 /// Returns the name of the directive that a text ends with.
-fn name_of_last_directive(text: &str) -> Option<&str> {
+fn directive_name_at_end(text: &str) -> Option<&str> {
     let word = word_at_end(text)?;
     text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
 }
@@ -159,7 +159,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
         "+" | "*" | "/" | "-" => "an operator needs a value on both sides".into(),
         "" => "something is missing at the end".into(),
         _ if matches!(word_at_end(before), Some("rgb" | "rgbf" | "rgbt" | "rgbft" | "color" | "colour"))
-            && ends_in_parentheses(before) =>
+            && ends_inside_parentheses(before) =>
         {
             "in parentheses, a colour is written as a vector: `<1, 0, 0>`".into()
         }
@@ -187,7 +187,7 @@ fn open_vector_start(text: &str, at: usize) -> Option<usize> {
         match c {
             '>' => depth += 1,
             // Inside parentheses it compares.
-            '<' if depth == 0 && follows_operand(text, i) && ends_in_parentheses(&text[..i]) => {}
+            '<' if depth == 0 && follows_operand(text, i) && ends_inside_parentheses(&text[..i]) => {}
             '<' if depth == 0 => return Some(i),
             '<' => depth -= 1,
             '{' | '}' | ';' | '#' | '"' => return None,
@@ -198,7 +198,7 @@ fn open_vector_start(text: &str, at: usize) -> Option<usize> {
 }
 
 /// True if the text ends inside `( … )` where `<` compares: a group, a condition or a function's arguments.
-fn ends_in_parentheses(text: &str) -> bool {
+fn ends_inside_parentheses(text: &str) -> bool {
     let mut depth = 0;
     for (i, c) in text.char_indices().rev() {
         match c {

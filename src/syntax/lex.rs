@@ -102,7 +102,7 @@ impl Lexer<'_> {
                     self.push(b, 1, 0);
                     self.brackets.end_conditional_expressions();
                     if b == class::SEMICOLON {
-                        self.add_cut_outside_brackets();
+                        self.add_cut_if_unnested();
                     }
                 }
                 b'*' | b'/' | b'&' | b'|' => self.push(b, 1, 0),
@@ -149,7 +149,7 @@ impl Lexer<'_> {
         &self.text[start as usize..end as usize]
     }
 
-    fn add_cut_outside_brackets(&mut self) {
+    fn add_cut_if_unnested(&mut self) {
         if self.brackets.is_empty() {
             self.out.cuts.push(self.out.tokens.len() as u32);
         }
@@ -224,7 +224,7 @@ impl Lexer<'_> {
         {
             return Some((if count > 1 { class::NUMBERS } else { class::LITERAL }, end));
         }
-        let end = if vector { lists.scan_vector_to_end(self.bytes, self.at)? } else { return None };
+        let end = if vector { lists.scan_vector_returning_end(self.bytes, self.at)? } else { return None };
         Some((class::LITERAL, end))
     }
 
@@ -238,7 +238,7 @@ impl Lexer<'_> {
     /// Adds a token for an opening bracket, as unmatched until its partner is found.
     fn open(&mut self, b: u8) {
         let opener = match b {
-            b'{' if self.opens_function() => Opener::FunctionBrace,
+            b'{' if self.next_brace_opens_function() => Opener::FunctionBrace,
             b'{' => Opener::Brace,
             b'(' if matches!(self.previous_class(), class::NAME | class::PLAIN) => Opener::Arguments,
             b'(' => Opener::Paren,
@@ -262,14 +262,14 @@ impl Lexer<'_> {
                 }
                 self.push(class, 1, 0);
                 if class == class::BRACE_END {
-                    self.add_cut_outside_brackets();
+                    self.add_cut_if_unnested();
                 }
             }
             None if b == b'>' => self.push(class::GREATER, 1, 0),
             None => {
                 self.loose_closers += usize::from(b != b':');
                 self.push(class::LOOSE, 1, 0);
-                self.add_cut_outside_brackets();
+                self.add_cut_if_unnested();
             }
         }
     }
@@ -284,7 +284,7 @@ impl Lexer<'_> {
     }
 
     /// True if the next `{` belongs to `function (…) {` or `function 20, 20 {`.
-    fn opens_function(&self) -> bool {
+    fn next_brace_opens_function(&self) -> bool {
         let classes = &self.out.classes;
         let mut i = classes.len();
         if i > 0 && classes[i - 1] == class::PAREN_END {
@@ -392,7 +392,7 @@ impl Lexer<'_> {
                 Some(_) => {
                     self.brackets.end_directive();
                     self.push(class, end - at, 0);
-                    self.add_cut_outside_brackets();
+                    self.add_cut_if_unnested();
                 }
                 None => self.report_stray_branch(word, at, end),
             },

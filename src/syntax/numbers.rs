@@ -125,10 +125,10 @@ impl ListScanner {
         let (mut i, mut end) = (at, None);
         loop {
             let (start, first) = (self.data.len(), end.is_none());
-            let Some(after) = self.scan_item_to_end(bytes, i, sign_allowed || !first) else { break };
+            let Some(after) = self.scan_item_returning_end(bytes, i, sign_allowed || !first) else { break };
             let next = skip_blanks(bytes, after);
             let comma = bytes.get(next) == Some(&b',');
-            if !comma && is_continued(bytes, next) {
+            if !comma && literal_continues_at(bytes, next) {
                 self.data.truncate(start);
                 break;
             }
@@ -157,22 +157,22 @@ impl ListScanner {
     }
 
     /// Scans one literal vector that starts at the offset `at`, and returns its end.
-    pub(super) fn scan_vector_to_end(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+    pub(super) fn scan_vector_returning_end(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
-        let end = self.scan_numbers_to_end(bytes, at)?;
+        let end = self.scan_angle_vector_end(bytes, at)?;
         self.widths.push(self.data.len() as u16);
         Some(end)
     }
 
-    fn scan_item_to_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<usize> {
+    fn scan_item_returning_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<usize> {
         if bytes.get(at) == Some(&b'<') {
-            return self.scan_numbers_to_end(bytes, at);
+            return self.scan_angle_vector_end(bytes, at);
         }
-        self.scan_signed_to_end(bytes, at, sign_allowed)
+        self.scan_signed_returning_end(bytes, at, sign_allowed)
     }
 
-    fn scan_signed_to_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<usize> {
+    fn scan_signed_returning_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<usize> {
         let negative = bytes.get(at) == Some(&b'-');
         let signed = negative || bytes.get(at) == Some(&b'+');
         if signed && !sign_allowed {
@@ -184,12 +184,12 @@ impl ListScanner {
     }
 
     /// Scans a vector such as `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
-    fn scan_numbers_to_end(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+    fn scan_angle_vector_end(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         let start = self.data.len();
         let mut i = skip_blanks(bytes, at + 1);
         let mut sign_allowed = true;
         loop {
-            let Some(after) = self.scan_signed_to_end(bytes, i, sign_allowed) else {
+            let Some(after) = self.scan_signed_returning_end(bytes, i, sign_allowed) else {
                 self.data.truncate(start);
                 return None;
             };
@@ -212,7 +212,7 @@ impl ListScanner {
 
 /// True if an operator, component or index at the offset `at` continues the literal before it. True for a comment too,
 /// so that the grammar decides.
-fn is_continued(bytes: &[u8], at: usize) -> bool {
+fn literal_continues_at(bytes: &[u8], at: usize) -> bool {
     matches!(
         bytes.get(at),
         Some(b'+' | b'-' | b'*' | b'/' | b'.' | b'(' | b'[' | b'=' | b'!' | b'&' | b'|' | b'?' | b'<' | b'>' | b':')
@@ -293,7 +293,7 @@ impl ItemSpans {
             (self.list, self.item, self.at) = (list, 0, 0);
         }
         loop {
-            let end = self.scanner.scan_item_to_end(bytes, self.at, true)?;
+            let end = self.scanner.scan_item_returning_end(bytes, self.at, true)?;
             self.scanner.data.clear();
             if self.item == item {
                 return Some(Span::new(list.lo as usize + self.at, list.lo as usize + end));

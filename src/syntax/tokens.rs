@@ -50,7 +50,7 @@ impl Tokens {
     }
 
     /// Returns the tokens and comments in the order of the text, without blanks and characters without meaning.
-    pub fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
+    pub fn tokens_and_comments(&self) -> impl Iterator<Item = Piece> + '_ {
         let span = |lo: u32, hi: u32| Span::new(self.base + lo as usize, self.base + hi as usize);
         let token = move |t: &Token| Piece::Token(span(t.start, t.end));
         let comment = move |&(lo, hi): &(u32, u32)| Piece::Comment(span(lo, hi));

@@ -22,13 +22,13 @@ impl ColorMap {
 
     /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with the bounds
     /// `near`.
-    pub fn component_bounds_for(&self, near: LocalBounds) -> [LocalBounds; 5] {
-        let Interval { lo, hi } = near.range;
+    pub fn component_bounds_for(&self, numbers: LocalBounds) -> [LocalBounds; 5] {
+        let Interval { lo, hi } = numbers.range;
         let (first, last) = (self.color_at(lo).to_array(), self.color_at(hi).to_array());
         let mut all = [0, 1, 2, 3, 4].map(|i: usize| LocalBounds {
             range: Interval::new(first[i], last[i]),
             steepest: 0.0,
-            ..near
+            ..numbers
         });
         for pair in self.entries.windows(2) {
             let [(a, from), (b, to)] = pair else { continue };
@@ -46,7 +46,7 @@ impl ColorMap {
             }
         }
         all.map(|one| LocalBounds {
-            steepest: if one.steepest == 0.0 { 0.0 } else { one.steepest * near.steepest },
+            steepest: if one.steepest == 0.0 { 0.0 } else { one.steepest * numbers.steepest },
             ..one
         })
     }

@@ -84,7 +84,7 @@ impl ImageMap {
 
     /// Returns the `image_map`'s colour at a point; transparent beyond the edges of a picture with `once`.
     pub fn color_at(&self, p: DVec3) -> Color {
-        let Some(place) = self.mapping.project_to_picture(p) else {
+        let Some(place) = self.mapping.project_to_unit_square(p) else {
             return Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
         };
         let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
@@ -93,7 +93,7 @@ impl ImageMap {
 
     /// True if the `image_map`'s picture covers the point.
     pub fn covers_point(&self, p: DVec3) -> bool {
-        self.mapping.project_to_picture(p).is_some()
+        self.mapping.project_to_unit_square(p).is_some()
     }
 
     fn pixel_color(&self, i: usize) -> Color {

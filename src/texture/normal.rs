@@ -99,7 +99,7 @@ impl Normal {
 
     /// Wraps a normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
     fn wrap_uv_mapping(mut self) -> Self {
-        match self.pattern.take_outer_space() {
+        match self.pattern.take_space_outside_uv() {
             Some(pattern) => Self {
                 pattern,
                 relief: Relief::Normals(Blend::Map(Arc::new(Map { entries: vec![(0.0, self)] }))),
@@ -115,7 +115,7 @@ impl Normal {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
-                inner.pattern.restore_outer_space(self.pattern);
+                inner.pattern.restore_space_outside_uv(self.pattern);
                 inner.bump_scale &= self.bump_scale;
                 inner
             }

@@ -97,7 +97,7 @@ impl Pigment {
         if self.pattern.around.is_none() {
             return self;
         }
-        let around = self.pattern.take_outer_space();
+        let around = self.pattern.take_space_outside_uv();
         let map = Map { entries: vec![(0.0, self)] };
         Self {
             pattern: around.map_or(SharedDefault::DEFAULT, SharedDefault::new),
@@ -111,7 +111,7 @@ impl Pigment {
         match &self.paint {
             Paint::Pigments(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
-                inner.pattern.restore_outer_space((*self.pattern).clone());
+                inner.pattern.restore_space_outside_uv((*self.pattern).clone());
                 inner.quick_color = self.quick_color.or(inner.quick_color);
                 inner
             }

@@ -40,7 +40,7 @@ impl PigmentProgram {
     /// Lowers a pigment whose brightness a pattern uses.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
-        push_nodes(pigment, &mut nodes);
+        push_nodes_returning_root(pigment, &mut nodes);
         Self { nodes: nodes.into(), framed: pigment.pattern.framed }
     }
 
@@ -59,7 +59,7 @@ impl PigmentProgram {
     fn node_has_no_color(&self, i: usize, ctx: &TextureContext, uv_mapped_by_texture: bool) -> bool {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
-            _ if pattern.is_average() || (pattern.uses_uv() && !uv_mapped_by_texture) => false,
+            _ if pattern.is_average() || (pattern.receives_uv() && !uv_mapped_by_texture) => false,
             Shows::Solid(_) | Shows::Colors(_) => false,
             Shows::Image(image) => !image.covers_point(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
@@ -79,8 +79,8 @@ impl PigmentProgram {
     }
 
     /// Bounds on [`Self::pattern_number_at`] within a radius of a point.
-    pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
-        self.nodes.last().map_or(LocalBounds::UNKNOWN, |node| node.pattern.bounds_near(ctx, radius))
+    pub fn value_bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
+        self.nodes.last().map_or(LocalBounds::UNKNOWN, |node| node.pattern.value_bounds_near(ctx, radius))
     }
 
     /// Bounds on the components of [`Self::color_at`] (red, green, blue, filter, transmit) within a radius of a point.
@@ -88,7 +88,7 @@ impl PigmentProgram {
         match self.nodes.last() {
             Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(LocalBounds::constant),
             Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
-                map.component_bounds_for(pattern.bounds_near(ctx, radius))
+                map.component_bounds_for(pattern.value_bounds_near(ctx, radius))
             }
             _ => [LocalBounds::UNKNOWN; 5],
         }
@@ -96,22 +96,22 @@ impl PigmentProgram {
 
     /// True if [`Self::support_on_ray`] returns the ends of a region.
     pub fn has_support(&self) -> bool {
-        self.supported_pattern().is_some()
+        self.pattern_if_black_outside().is_some()
     }
 
     /// Returns distances along a ray of the outer space outside of which the pigment is black; `None` if no such region
     /// is known.
     pub fn support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
-        self.supported_pattern()?.support_on_ray(ray)
+        self.pattern_if_black_outside()?.support_on_ray(ray)
     }
 
     /// True if the pigment is certainly black everywhere in the box with these corners, in the outer space.
     pub fn is_black_between(&self, corners: [DVec3; 8]) -> bool {
-        self.supported_pattern().is_some_and(|pattern| pattern.is_outside_support(corners))
+        self.pattern_if_black_outside().is_some_and(|pattern| pattern.is_outside_support(corners))
     }
 
     /// Returns the pigment's pattern if the pigment is black outside of the pattern's support.
-    fn supported_pattern(&self) -> Option<&PatternProgram> {
+    fn pattern_if_black_outside(&self) -> Option<&PatternProgram> {
         match self.nodes.last() {
             Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
                 let outside = pattern.number_outside_support()?;
@@ -184,7 +184,7 @@ impl PigmentBrightness for Brightness {
 }
 
 /// Appends the nodes of a lowered pigment; returns the index of its own node.
-fn push_nodes(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
+fn push_nodes_returning_root(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
         // A map without a pattern is black (quirk: map_without_pattern).
         Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, PatternKind::Plain) => {
@@ -193,9 +193,9 @@ fn push_nodes(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
         Paint::Solid(color) => Shows::Solid(*color),
         Paint::Colors(map) => Shows::Colors(map.clone()),
         Paint::Image(image) => Shows::Image(image.clone()),
-        Paint::Pigments(parts) => {
-            Shows::Pigments(parts.map_runs(Pigment::is_certainly_equal, |entry| push_nodes(entry, nodes)))
-        }
+        Paint::Pigments(parts) => Shows::Pigments(
+            parts.map_runs(Pigment::is_certainly_equal, |entry| push_nodes_returning_root(entry, nodes)),
+        ),
     };
     nodes.push(PigmentNode { pattern: PatternProgram::new(&pigment.pattern), shows });
     nodes.len() as u32 - 1

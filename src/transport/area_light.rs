@@ -206,8 +206,8 @@ impl Tracer<'_> {
         let LightGridPiece { low, high } = piece;
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell_visibility(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
-        let is_settled =
-            grid.settle_level.is_some_and(|least| halvings_done >= least) && is_uniform(&corners, grid.center.light);
+        let is_settled = grid.settle_level.is_some_and(|least| halvings_done >= least)
+            && differs_too_little_to_split(&corners, grid.center.light);
         if is_single || is_settled || self.is_stopped_at_next_surface() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
@@ -270,7 +270,7 @@ pub(super) fn jittered_offset(area: &Area, cell: [u32; 2], sides: &[DVec3; 2], r
 
 /// True if the light at a piece's corners differs so little that the piece is not subdivided.
 #[inline]
-fn is_uniform(corners: &[Rgb; 4], light: Rgb) -> bool {
-    let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
-    !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))
+fn differs_too_little_to_split(corner_visibilities: &[Rgb; 4], light_color: Rgb) -> bool {
+    let apart = |a: Rgb, b: Rgb| ((a - b) * light_color).abs().element_sum() > MAX_DIFFERENCE;
+    !(0..4).any(|i| (0..i).any(|j| apart(corner_visibilities[i], corner_visibilities[j])))
 }

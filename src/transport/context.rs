@@ -1,6 +1,6 @@
 //! Data that all rays of a frame share.
 
-use super::interface::{Interiors, copy_of};
+use super::interface::{Interiors, copy_interiors};
 use super::photons::Photons;
 use super::radiosity::RadiosityState;
 use crate::math::DVec3;
@@ -119,7 +119,7 @@ impl<'w> FrameContext<'w> {
     pub(super) fn interiors_at(&self, origin: DVec3) -> Interiors {
         match self.camera.origin {
             None if self.tracks_interiors => interiors_around(self.world, origin),
-            _ => copy_of(&self.camera_interiors),
+            _ => copy_interiors(&self.camera_interiors),
         }
     }
 }

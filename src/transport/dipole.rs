@@ -29,7 +29,7 @@ impl Dipole {
         if !is_valid || !scattering_length.is_finite() {
             return None;
         }
-        let albedo = albedo_of(reflectance, mismatch);
+        let albedo = reduced_albedo_of_reflectance(reflectance, mismatch);
         // α' = σ_s'/σ_t', and σ_tr = √(3·σ_a·σ_t') = σ_t'·√(3·(1 - α'))
         let depth = albedo * scattering_length;
         let height = depth * (1.0 + 4.0 / 3.0 * mismatch);
@@ -57,7 +57,7 @@ fn total_reflectance(albedo: f64, mismatch: f64) -> f64 {
 }
 
 /// Returns the reduced albedo of the half-space that reflects this share of uniform light.
-fn albedo_of(reflectance: f64, mismatch: f64) -> f64 {
+fn reduced_albedo_of_reflectance(reflectance: f64, mismatch: f64) -> f64 {
     // The reflectance grows with the albedo.
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..BISECTIONS {

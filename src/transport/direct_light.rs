@@ -32,7 +32,7 @@ pub(super) trait LitSurface<'w> {
     /// True if `test` is true for any layer.
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool;
     /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
-    fn sum(&self, light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb;
+    fn weighted_layer_sum(&self, light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb;
 }
 
 /// A light source, relative to one point of a surface.
@@ -49,9 +49,9 @@ impl<'w> Tracer<'w> {
     /// reflection of light sources, without `reflection` and transmission.
     pub(super) fn emitted_and_direct_light(&mut self, state: &RayState, shading: &ShadingPoint<'w>) -> Rgb {
         if !self.context.quality.lights {
-            return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
+            return shading.weighted_layer_sum(|shaded| shaded.weight * shaded.color.rgb);
         }
-        let mut sum = shading.sum(|shaded| shaded.weight * emitted(shaded, self.context.has_ambient));
+        let mut sum = shading.weighted_layer_sum(|shaded| shaded.weight * emitted(shaded, self.context.has_ambient));
         self.add_light_of_sources(state, shading, &mut sum);
         if self.context.quality.subsurface {
             sum += self.subsurface_light(state, shading);
@@ -125,7 +125,7 @@ impl<'w> Tracer<'w> {
         if incident == Rgb::ZERO {
             return Rgb::ZERO;
         }
-        let sum = surface.sum(|shaded| {
+        let sum = surface.weighted_layer_sum(|shaded| {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
             let crand = shaded.layer.finish.crand;
             let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };

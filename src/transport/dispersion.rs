@@ -44,7 +44,7 @@ impl Tracer<'_> {
             self.counts.reflected += 1;
             let out = mirror_direction(state.ray.dir, material.normal, shading.smooth);
             let share =
-                throughput * totally_reflected * reflect::total_reflection_factor(shading, material, out, world);
+                throughput * totally_reflected * reflect::total_reflection_film_factor(shading, material, out, world);
             let next = state.continued(Ray::new(shading.point, out), share);
             self.queue.push(RayState { level: state.level + 1, weight, is_reflected: true, ..next });
         }

@@ -10,7 +10,7 @@ pub(super) type Interiors = SmallVec<[u32; 6]>;
 
 /// Returns a copy of a ray's list of interiors; faster than `clone`, which copies number by number.
 #[inline]
-pub(super) fn copy_of(interiors: &Interiors) -> Interiors {
+pub(super) fn copy_interiors(interiors: &Interiors) -> Interiors {
     match interiors.as_slice() {
         [] => Interiors::new(),
         numbers => Interiors::from_slice(numbers),

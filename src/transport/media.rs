@@ -92,14 +92,14 @@ impl Accumulated {
     /// Adds a stretch of the length `length` with these mean properties, behind the others.
     fn add(&mut self, mean: &PointSample, length: f64) {
         if mean.light != Rgb::ZERO {
-            self.light += transmittance(self.depth) * mean.light * length;
+            self.light += transmittance_of_optical_depth(self.depth) * mean.light * length;
         }
         self.depth += mean.extinction * length;
     }
 }
 
 /// Returns the transmittance of an optical depth.
-fn transmittance(depth: Rgb) -> Rgb {
+fn transmittance_of_optical_depth(depth: Rgb) -> Rgb {
     if depth == Rgb::ZERO {
         Rgb::ONE
     } else if depth.x == depth.y && depth.y == depth.z {
@@ -146,7 +146,7 @@ impl<'w> Tracer<'w> {
         if stretch.context.is_shadow && is_homogeneous {
             let extinction: Rgb = stretch.media.iter().map(|medium| medium.extinction).sum();
             let depth = extinction * (stretch.range[1] - stretch.range[0]);
-            return Segment { radiance: Rgb::ZERO, transmittance: transmittance(depth) };
+            return Segment { radiance: Rgb::ZERO, transmittance: transmittance_of_optical_depth(depth) };
         }
         let mut media = SmallVec::<[MediumOnRay; 2]>::new();
         for medium in stretch.media {
@@ -173,16 +173,16 @@ impl<'w> Tracer<'w> {
             let interval = Interval { stretch, range, media: &media, lights: &lights, draws };
             match sampling.method {
                 SamplingMethod::Adaptive if is_homogeneous && lights.is_empty() && !has_photons => {
-                    self.add_constant(&sampling, &interval, &mut sum);
+                    self.add_homogeneous(&sampling, &interval, &mut sum);
                 }
                 SamplingMethod::Adaptive => self.add_adaptive(&sampling, &interval, &mut sum),
-                _ => self.add_sampled(&sampling, &interval, &mut sum),
+                _ => self.add_mean_of_samples(&sampling, &interval, &mut sum),
             }
             if self.is_stopped() || sum.depth.min_element() > OPAQUE_DEPTH {
                 break;
             }
         }
-        Segment { radiance: sum.light, transmittance: transmittance(sum.depth) }
+        Segment { radiance: sum.light, transmittance: transmittance_of_optical_depth(sum.depth) }
     }
 
     /// Returns the lights that media scatter; none for a shadow ray.
@@ -203,7 +203,7 @@ impl<'w> Tracer<'w> {
 
     /// Adds an interval by method 3 if the media have the same properties at all its points, so that one sample stands
     /// for all.
-    fn add_constant(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
+    fn add_homogeneous(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let [from, to] = interval.range;
         let mean = self.point_sample(interval, from);
         let n = f64::from(unrefined_sample_count(sampling) - 1);
@@ -213,7 +213,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Adds an interval by methods 1 and 2: the mean of samples, each attenuated by its own extinction.
-    fn add_sampled(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
+    fn add_mean_of_samples(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let [from, to] = interval.range;
         let (length, draws) = (to - from, interval.draws);
         let mut mean = RunningMean::default();
@@ -228,11 +228,14 @@ impl<'w> Tracer<'w> {
                 SamplingMethod::Even if i < least => {
                     (f64::from(i) + 0.5 + draws.jitter_offset(sampling.jitter, i)) / f64::from(least)
                 }
-                _ => draws.centered(i) + 0.5,
+                _ => draws.centered_random(i) + 0.5,
             };
             let distance = share * length;
             let sample = self.point_sample(interval, from + distance);
-            mean.add(&PointSample { light: sample.light * transmittance(sample.extinction * distance), ..sample });
+            mean.add(&PointSample {
+                light: sample.light * transmittance_of_optical_depth(sample.extinction * distance),
+                ..sample
+            });
         }
         sum.add(&mean.value(), length);
     }
@@ -351,13 +354,13 @@ struct Draws {
 
 impl Draws {
     /// Returns the random number of the sample with this index, in [-0.5, 0.5).
-    fn centered(self, sample: u32) -> f64 {
+    fn centered_random(self, sample: u32) -> f64 {
         self.random.at(self.first + u64::from(sample)) - 0.5
     }
 
     /// Returns the offset of a sample by `jitter`, relative to the distance of samples.
     fn jitter_offset(self, jitter: f64, sample: u32) -> f64 {
-        if jitter == 0.0 { 0.0 } else { jitter * self.centered(sample) }
+        if jitter == 0.0 { 0.0 } else { jitter * self.centered_random(sample) }
     }
 }
 

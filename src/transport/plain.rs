@@ -67,7 +67,7 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
     }
 
     #[inline(always)]
-    fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+    fn weighted_layer_sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
         light(&self.shaded)
     }
 }

@@ -62,7 +62,7 @@ impl<'w> Tracer<'w> {
     fn trace_and_continues(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
-            let air = match self.sees_air(state) {
+            let air = match self.includes_fog_and_media(state) {
                 true => self.endless_segment(&state.ray, &state.inside),
                 false => Segment::NONE,
             };
@@ -78,7 +78,7 @@ impl<'w> Tracer<'w> {
         {
             return false;
         }
-        if (self.has_air() || self.has_media()) && self.sees_air(state) {
+        if (self.has_air() || self.has_media()) && self.includes_fog_and_media(state) {
             let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.light_set());
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
@@ -109,7 +109,7 @@ impl<'w> Tracer<'w> {
         }
         // Rays that continue
         let attenuation = match self.context.world.colors_light && interface.leaves_interior() {
-            true => self.attenuation(shading.part.interior, hit.t()),
+            true => self.interior_transmittance(shading.part.interior, hit.t()),
             false => Rgb::ONE,
         };
         self.scatter(state, &Boundary { shading: &shading, interface: &interface, attenuation }, sum);
@@ -129,7 +129,7 @@ impl<'w> Tracer<'w> {
         }
         let interior = world.parts[hit.part_number() as usize].interior;
         let attenuation = match world.colors_light && interface.leaves_interior() {
-            true => self.attenuation(interior, hit.t()),
+            true => self.interior_transmittance(interior, hit.t()),
             false => Rgb::ONE,
         };
         state.throughput *= attenuation;
@@ -170,7 +170,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// True if fog and media count along the ray (`radiosity { media }`).
-    fn sees_air(&self, state: &RayState) -> bool {
+    fn includes_fog_and_media(&self, state: &RayState) -> bool {
         state.bounces == 0 || self.context.world.radiosity.as_ref().is_some_and(|settings| settings.media)
     }
 

@@ -1,6 +1,6 @@
 //! State of a ray that is traced through the scene.
 
-use super::interface::{Interiors, copy_of};
+use super::interface::{Interiors, copy_interiors};
 use crate::atmosphere::Segment;
 use crate::color::{Rgb, gray};
 use crate::math::Ray;
@@ -74,7 +74,7 @@ impl RayState {
             transparency: 0.0,
             is_reflected: self.is_reflected,
             has_transmitted: self.has_transmitted,
-            inside: copy_of(&self.inside),
+            inside: copy_interiors(&self.inside),
             hue: self.hue,
             bounces: self.bounces,
             gather_rank: None,

@@ -88,7 +88,7 @@ pub(super) fn reflected_radiance(
 }
 
 /// Returns the factor of totally reflected light in the direction `out`: 1, unless the top layer has a thin film.
-pub(super) fn total_reflection_factor(
+pub(super) fn total_reflection_film_factor(
     shading: &ShadingPoint,
     material: &MaterialSample,
     out: DVec3,

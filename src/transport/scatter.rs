@@ -172,7 +172,7 @@ impl Tracer<'_> {
                 // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
                 Transmission::Total => {
                     let dir = mirror_direction(state.ray.dir, material.normal, shading.smooth);
-                    let film = reflect::total_reflection_factor(shading, material, dir, world);
+                    let film = reflect::total_reflection_film_factor(shading, material, dir, world);
                     Continuation {
                         dir,
                         is_total: true,
@@ -214,11 +214,11 @@ impl Tracer<'_> {
 
 /// Returns the mirror direction of `dir` at a bumped normal. If bumps would reflect the ray into the surface, the
 /// surface reflects it again; bumps that are seen from behind have no effect (quirk: `bumps_reflect_twice`).
-pub(super) fn mirror_direction(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
+pub(super) fn mirror_direction(dir: DVec3, normal: DVec3, smooth_normal: DVec3) -> DVec3 {
     let out = reflect(dir, normal);
-    match out.dot(smooth) < 0.0 {
-        true if dir.dot(normal) > 0.0 => reflect(dir, smooth),
-        true => reflect(out, smooth),
+    match out.dot(smooth_normal) < 0.0 {
+        true if dir.dot(normal) > 0.0 => reflect(dir, smooth_normal),
+        true => reflect(out, smooth_normal),
         false => out,
     }
 }

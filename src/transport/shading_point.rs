@@ -129,7 +129,7 @@ impl<'w> LitSurface<'w> for ShadingPoint<'w> {
 
     // (Forced: with several callers, the compiler would make this a call.)
     #[inline(always)]
-    fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+    fn weighted_layer_sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
         let layers = self.layers.as_slice();
         let mut sum = Rgb::ZERO;
         for material in self.materials.as_slice() {

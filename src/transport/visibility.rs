@@ -1,6 +1,6 @@
 //! Shadow rays: the share of a light's radiance that arrives at a surface.
 
-use super::interface::{Interface, Interiors, copy_of};
+use super::interface::{Interface, Interiors, copy_interiors};
 use super::photons;
 use super::segment::{ShadowSegments, Span};
 use super::shading_point::{self, ShadingPoint};
@@ -103,7 +103,7 @@ impl Tracer<'_> {
         if world.colors_light || has_air || has_media {
             let segments = ShadowSegments { distance, has_air, has_media };
             let surfaces = if may_be_filtered.get() { filtering_surfaces(world, ray, range, filters) } else { vec![] };
-            return self.segmented_transmittance(ray, surfaces, copy_of(inside), segments);
+            return self.segmented_transmittance(ray, surfaces, copy_interiors(inside), segments);
         }
         let mut transmittance = Rgb::ONE;
         for hit in filtering_surfaces(world, ray, range, filters) {
@@ -143,7 +143,7 @@ impl Tracer<'_> {
         let interior = &world.interiors[own as usize];
         if let Some(at) = inside.iter().rposition(|&i| i == own) {
             inside.remove(at);
-            transmittance *= self.shadow_attenuation(own, hit.t() - from);
+            transmittance *= self.shadow_interior_transmittance(own, hit.t() - from);
         } else {
             inside.push(own);
         }

@@ -67,11 +67,11 @@ fn parse_color(word: &str, rest: &str) -> Result<Value, String> {
     let given = match parse_number(rest) {
         Some(x) => VecN::splat(x, slots.len() as u8),
         None if rest.starts_with('<') => parse_vector(rest)?,
-        None => return Err(format!("`{word}` needs numbers behind it: {word} <{}>", example_of_length(slots.len()))),
+        None => return Err(format!("`{word}` needs numbers behind it: {word} <{}>", example_components(slots.len()))),
     };
     // `color <1, 0, 0>` may have fewer components than five.
     if usize::from(given.len) != slots.len() && !(word == "rgbft" && given.len >= 3) {
-        let example = example_of_length(slots.len());
+        let example = example_components(slots.len());
         return Err(format!("`{word}` has {} numbers, not {}: {word} <{example}>", slots.len(), given.len));
     }
     let mut c = [0.0; 5];
@@ -83,7 +83,7 @@ fn parse_color(word: &str, rest: &str) -> Result<Value, String> {
     Ok(Value::Color(color))
 }
 
-fn example_of_length(count: usize) -> &'static str {
+fn example_components(count: usize) -> &'static str {
     match count {
         3 => "1, 0.5, 0",
         4 => "1, 0.5, 0, 0.3",

@@ -31,7 +31,7 @@ impl ChildBvh {
     }
 
     /// Calls `visit` with each child whose box the ray intersects; `visit` returns the range where further hits count.
-    pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
+    pub fn visit_children_on_ray(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {
             range = visit(child as usize, range);
@@ -42,10 +42,10 @@ impl ChildBvh {
     }
 
     /// Calls `visit` with each child whose box contains the point, until it returns `Break`.
-    pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) -> ControlFlow<()> {
+    pub fn visit_children_around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) -> ControlFlow<()> {
         self.rest.iter().try_for_each(|&child| visit(child as usize))?;
         let mut flow = ControlFlow::Continue(());
-        self.bvh.visit_boxes_around(p, |i| {
+        self.bvh.visit_boxes_containing(p, |i| {
             flow = visit(self.order[i] as usize);
             flow
         });

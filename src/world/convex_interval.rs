@@ -57,7 +57,7 @@ impl ConvexInterval {
 }
 
 /// Returns the part of the range in which the ray can be inside the solid; the whole range without intervals.
-pub(super) fn range_inside(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
+pub(super) fn range_possibly_inside(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
         SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
             ConvexInterval::inside_shape(leaf, ray).map_or(range, |interval| interval.possible_range(range))
@@ -76,7 +76,7 @@ pub(super) fn nearest_end_and_leaf<'a>(
     merged: bool,
     ray: &Ray,
     mut range: Range,
-    shows: impl Fn(f64) -> bool,
+    is_unclipped_at: impl Fn(f64) -> bool,
 ) -> Result<Option<(End, &'a Leaf)>, UnknownInterval> {
     let mut parts: SmallVec<[(ConvexInterval, &Leaf); 4]> = SmallVec::new();
     for child in children {
@@ -98,7 +98,7 @@ pub(super) fn nearest_end_and_leaf<'a>(
                 None => children[j].inside(ray.at(end.t)),
             };
             let is_kept = || parts.iter().enumerate().all(|(j, (other, _))| j == i || inside(j, other) != merged);
-            if range.contains(end.t) && is_kept() && shows(end.t) {
+            if range.contains(end.t) && is_kept() && is_unclipped_at(end.t) {
                 // quirk: last_part_wins
                 range.max = end.t.next_up();
                 best = Some((end, leaf));

@@ -79,7 +79,7 @@ impl GeometryBuilder {
         match object.into_parts() {
             NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
             NodeParts::One(node) => match node.bounds() {
-                bounds if bounds.is_empty() && !node.is_unbounded() => {}
+                bounds if bounds.is_empty() && !node.inside_exceeds_bounds() => {}
                 bounds if bounds.is_empty() => self.infinite.push(node),
                 bounds if bvh::fits_single_precision(&bounds) => self.finite.push(Item::Solid(node)),
                 _ => self.infinite.push(node),
@@ -104,7 +104,7 @@ impl From<GeometryBuilder> for Geometry {
         let (bvh, order) = Bvh::build(items.iter().map(Item::bounds));
         permute_by_source_indices(&mut items, order);
         let finite = items.len();
-        let unbounded = (0..finite as u32).filter(|&i| items[i as usize].is_unbounded()).collect();
+        let unbounded = (0..finite as u32).filter(|&i| items[i as usize].inside_exceeds_bounds()).collect();
         items.extend(infinite.into_iter().map(Item::Solid));
         items.shrink_to_fit();
         Self { items, finite, unbounded, bvh }
@@ -236,7 +236,7 @@ impl Geometry {
         let unbounded = self.finite..self.items.len();
         let mut is_clear = before.into_iter().chain(unbounded).all(&mut is_missed);
         if is_clear {
-            self.bvh.visit_leaves_in_shaft(shaft, |i| {
+            self.bvh.visit_items_near_shaft(shaft, |i| {
                 is_clear = is_missed(i);
                 if is_clear { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
             });
@@ -268,7 +268,7 @@ impl Geometry {
 
     /// Calls `visit` with each hit in the range on any shape, and with the object that contains the shape, even if the
     /// hit is not on the object's surface.
-    pub fn visit_shape_hits<'a>(
+    pub fn visit_all_shape_hits<'a>(
         &'a self,
         ray: &Ray,
         range: Range,
@@ -277,10 +277,12 @@ impl Geometry {
         self.visit_intersected_boxes(ray, range, |i, range| {
             match &self.items[i] {
                 Item::Solid(node) => {
-                    node.visit_shape_hits(ray, range, &mut |found| visit(PlacedSolid { node, instance: None }, found));
+                    node.visit_all_shape_hits(ray, range, &mut |found| {
+                        visit(PlacedSolid { node, instance: None }, found)
+                    });
                 }
                 Item::Instance(instance) => {
-                    instance.shared().visit_shape_hits(&instance.local(ray), range, &mut |part, found| {
+                    instance.shared().visit_all_shape_hits(&instance.local(ray), range, &mut |part, found| {
                         visit(PlacedSolid { instance: Some(instance), ..part }, instance.hit_on_instance(found));
                     })
                 }
@@ -300,7 +302,7 @@ impl Geometry {
         };
         self.items[self.finite..].iter().for_each(&mut ask);
         self.unbounded.iter().for_each(|&i| ask(&self.items[i as usize]));
-        self.bvh.visit_boxes_around(p, |i| {
+        self.bvh.visit_boxes_containing(p, |i| {
             if self.unbounded.binary_search(&(i as u32)).is_err() {
                 ask(&self.items[i]);
             }
@@ -311,7 +313,10 @@ impl Geometry {
     /// Calls `visit` with each object that contains a camera at the point (quirk: `camera_inside_box`).
     pub fn containing_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         self.containing(p, &mut |solid| {
-            if !solid.node.is_unbounded() || solid.instance.is_some() || solid.node.camera_bounds().contains(p) {
+            if !solid.node.inside_exceeds_bounds()
+                || solid.instance.is_some()
+                || solid.node.bounds_for_camera_inside().contains(p)
+            {
                 visit(solid);
             }
         });
@@ -353,8 +358,8 @@ impl Item {
         }
     }
 
-    fn is_unbounded(&self) -> bool {
-        matches!(self, Self::Solid(node) if node.is_unbounded())
+    fn inside_exceeds_bounds(&self) -> bool {
+        matches!(self, Self::Solid(node) if node.inside_exceeds_bounds())
     }
 
     /// Returns half-spaces that contain the surface of the object; none for an instance and for most objects without flat

@@ -46,7 +46,7 @@ fn pieces(text: &str) -> Vec<String> {
         text[piece.span().lo as usize..piece.span().hi as usize].trim_end_matches(|c| c <= ' ').to_string()
     };
     // Blanks between `#` and its word are dropped.
-    ast.tokens.pieces().map(read).collect()
+    ast.tokens.tokens_and_comments().map(read).collect()
 }
 
 fn check(text: &str, width: usize) -> Result<(), String> {

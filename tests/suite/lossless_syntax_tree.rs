@@ -62,7 +62,7 @@ fn without_tree(text: &str) -> Result<(), String> {
         if said(&faults) != said(&told) {
             return Err(format!("{}\n  with the tree, and\n{}\n  without", said(&faults), said(&told)));
         }
-        if !ast.tokens.pieces().eq(tokens.pieces()) {
+        if !ast.tokens.tokens_and_comments().eq(tokens.tokens_and_comments()) {
             return Err("other tokens".into());
         }
     }
@@ -87,7 +87,7 @@ fn joined(text: &str, granularity: Granularity) -> Result<(), String> {
     let (ast, faults) = parse(&sources, file, &Names::default(), granularity);
     let base = sources.base(file);
     let (mut out, mut at) = (String::new(), base);
-    for piece in ast.tokens.pieces() {
+    for piece in ast.tokens.tokens_and_comments() {
         let Span { lo, hi } = piece.span();
         let (lo, hi) = (lo as usize, hi as usize);
         if lo < at || hi < lo || hi > base + text.len() {
@@ -315,7 +315,7 @@ impl Places<'_> {
 fn placed(text: &str, granularity: Granularity) -> Result<(), String> {
     const BASE: usize = 1234;
     let (ast, _) = parse_text(text, BASE, &Names::default(), granularity);
-    let spans: Vec<Span> = ast.tokens.pieces().map(|piece| piece.span()).collect();
+    let spans: Vec<Span> = ast.tokens.tokens_and_comments().map(|piece| piece.span()).collect();
     let (starts, ends) = (spans.iter().map(|s| s.lo).collect(), spans.iter().map(|s| s.hi).collect());
     let mut places = Places { starts, ends, text, base: BASE, wrong: vec![] };
     places.elements(&ast.elements, Span::new(BASE, BASE + text.len()));

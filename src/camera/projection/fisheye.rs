@@ -6,15 +6,19 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 use std::f64::consts::PI;
 
-/// Returns the ray of a fisheye camera; `None` outside its disc. `angle` is the angle of view of the whole disc, in
+/// Returns the ray of a fisheye camera; `None` outside its disc. `full_angle_radians` is the angle of view of the whole disc, in
 /// radians.
-pub(super) fn fisheye_ray(fraction_from_center: DVec2, window_lengths: DVec3, angle: f64) -> Option<LocalRay> {
-    let p = fraction_from_center * window_lengths.truncate() * 2.0;
+pub(super) fn fisheye_ray(
+    picture_fraction_from_center: DVec2,
+    right_up_direction_lengths: DVec3,
+    full_angle_radians: f64,
+) -> Option<LocalRay> {
+    let p = picture_fraction_from_center * right_up_direction_lengths.truncate() * 2.0;
     let r = p.length();
     if r > 1.0 {
         return None;
     }
-    Some(ray_through_disc(p, r * angle / 2.0))
+    Some(ray_through_disc(p, r * full_angle_radians / 2.0))
 }
 
 /// Returns the camera ray at an angle to the axis of view, towards a point of the disc. Bumps are evaluated at the

@@ -56,26 +56,31 @@ impl Projection {
     /// direction.
     pub(super) fn ray_and_bump_position(
         &self,
-        fraction_from_center: DVec2,
+        picture_fraction_from_center: DVec2,
         origin: DVec3,
         axes: [DVec3; 3],
-        window_lengths: DVec3,
+        right_up_direction_lengths: DVec3,
     ) -> Option<(Ray, DVec2)> {
         let local = match self {
             // These have a window or faces.
             Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
-            Projection::Orthographic => orthographic::orthographic_ray(fraction_from_center, window_lengths),
-            Projection::Fisheye(angle) => fisheye::fisheye_ray(fraction_from_center, window_lengths, *angle)?,
-            Projection::UltraWideAngle(angle) => {
-                ultra_wide_angle::ultra_wide_angle_ray(fraction_from_center, window_lengths, *angle)
+            Projection::Orthographic => {
+                orthographic::orthographic_ray(picture_fraction_from_center, right_up_direction_lengths)
             }
-            Projection::Omnimax => omnimax::omnimax_ray(fraction_from_center, window_lengths)?,
-            Projection::Panoramic => panoramic::panoramic_ray(fraction_from_center, window_lengths),
+            Projection::Fisheye(angle) => {
+                fisheye::fisheye_ray(picture_fraction_from_center, right_up_direction_lengths, *angle)?
+            }
+            Projection::UltraWideAngle(angle) => {
+                ultra_wide_angle::ultra_wide_angle_ray(picture_fraction_from_center, right_up_direction_lengths, *angle)
+            }
+            Projection::Omnimax => omnimax::omnimax_ray(picture_fraction_from_center, right_up_direction_lengths)?,
+            Projection::Panoramic => panoramic::panoramic_ray(picture_fraction_from_center, right_up_direction_lengths),
             Projection::Cylinder(kind, angle) => {
-                cylinder::cylindrical_ray(*kind, fraction_from_center, window_lengths, *angle)
+                cylinder::cylindrical_ray(*kind, picture_fraction_from_center, right_up_direction_lengths, *angle)
             }
             Projection::Spherical(angles) => {
-                let (dir, bump_position) = spherical::direction_and_bump_position(fraction_from_center, *angles, axes);
+                let (dir, bump_position) =
+                    spherical::direction_and_bump_position(picture_fraction_from_center, *angles, axes);
                 return Some((Ray::new(origin, dir.try_normalize()?), bump_position));
             }
         };

@@ -12,8 +12,8 @@ const ANGLE: [f64; 3] = [1.411_269, -0.094_390, 0.256_740];
 const WIDEST: f64 = 1.283_458;
 
 /// Returns the ray of an omnimax camera; `None` outside its disc.
-pub(super) fn omnimax_ray(fraction_from_center: DVec2, window_lengths: DVec3) -> Option<LocalRay> {
-    let p = picture_to_disc(fraction_from_center, window_lengths.x / window_lengths.y);
+pub(super) fn omnimax_ray(picture_fraction_from_center: DVec2, right_up_direction_lengths: DVec3) -> Option<LocalRay> {
+    let p = picture_to_disc(picture_fraction_from_center, right_up_direction_lengths.x / right_up_direction_lengths.y);
     let r = p.length();
     if r > 1.0 {
         return None;
@@ -25,10 +25,13 @@ pub(super) fn omnimax_ray(fraction_from_center: DVec2, window_lengths: DVec3) ->
 
 /// Maps a position of the picture to the omnimax camera's disc of radius 1; the upper edges of disc and picture
 /// coincide if the picture is wider than high.
-fn picture_to_disc(fraction_from_center: DVec2, aspect: f64) -> DVec2 {
+fn picture_to_disc(picture_fraction_from_center: DVec2, aspect: f64) -> DVec2 {
     if aspect <= 1.0 {
-        return DVec2::new(2.0 * fraction_from_center.x, 2.0 * fraction_from_center.y / aspect);
+        return DVec2::new(2.0 * picture_fraction_from_center.x, 2.0 * picture_fraction_from_center.y / aspect);
     }
     let scale = 2.0 / aspect.min(WIDEST);
-    DVec2::new(scale * fraction_from_center.x * aspect, scale * fraction_from_center.y + 1.0 - 0.5 * scale)
+    DVec2::new(
+        scale * picture_fraction_from_center.x * aspect,
+        scale * picture_fraction_from_center.y + 1.0 - 0.5 * scale,
+    )
 }

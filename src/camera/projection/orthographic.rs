@@ -5,10 +5,10 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// Returns the ray of an orthographic camera.
-pub(super) fn orthographic_ray(fraction_from_center: DVec2, window_lengths: DVec3) -> LocalRay {
+pub(super) fn orthographic_ray(picture_fraction_from_center: DVec2, right_up_direction_lengths: DVec3) -> LocalRay {
     LocalRay {
-        origin: fraction_from_center * window_lengths.truncate(),
+        origin: picture_fraction_from_center * right_up_direction_lengths.truncate(),
         dir: DVec3::Z,
-        bump_position: fraction_from_center,
+        bump_position: picture_fraction_from_center,
     }
 }

@@ -7,11 +7,11 @@ use crate::math::{DVec2, DVec3, fp};
 /// direction ahead is rotated about right and then about up, even if these are not orthogonal (quirk:
 /// `spherical_skew`).
 pub(super) fn direction_and_bump_position(
-    fraction_from_center: DVec2,
+    picture_fraction_from_center: DVec2,
     angles: DVec2,
     [right, up, ahead]: [DVec3; 3],
 ) -> (DVec3, DVec2) {
-    let bump_position = fraction_from_center * angles;
+    let bump_position = picture_fraction_from_center * angles;
     (rotate_about(rotate_about(ahead, right, -bump_position.y), up, bump_position.x), bump_position)
 }
 

@@ -111,7 +111,7 @@ impl FromStr for Command {
 impl Command {
     /// Returns the command for a position in a file. Without `{file}`, the file becomes the last argument.
     #[cfg(feature = "watch")]
-    pub fn words_for_position(&self, file: &str, line: usize, column: usize) -> Vec<String> {
+    pub fn command_line_for_position(&self, file: &str, line: usize, column: usize) -> Vec<String> {
         let put = |word: &String| {
             let word = word.replace("{line}", &line.to_string()).replace("{column}", &column.to_string());
             word.replace("{file}", file)

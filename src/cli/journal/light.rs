@@ -72,7 +72,7 @@ impl Journal {
             Ok(()) => {}
             Err(error) => state.error = Some(error),
         }
-        let unsynced = state.take_unsynced(SYNC_INTERVAL);
+        let unsynced = state.take_file_if_sync_due(SYNC_INTERVAL);
         drop(state);
         self.sync(unsynced);
     }

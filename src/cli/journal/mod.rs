@@ -275,7 +275,7 @@ impl Journal {
         if let Err(error) = state.store(tile, pixels) {
             state.error = Some(error);
         }
-        let unsynced = state.take_unsynced(SYNC_INTERVAL);
+        let unsynced = state.take_file_if_sync_due(SYNC_INTERVAL);
         // Other threads store their tiles meanwhile.
         drop(state);
         self.sync(unsynced);
@@ -288,7 +288,7 @@ impl Journal {
         if state.error.is_none() {
             state.error = state.write_pending().err();
         }
-        let unsynced = state.take_unsynced(Duration::ZERO);
+        let unsynced = state.take_file_if_sync_due(Duration::ZERO);
         drop(state);
         self.sync(unsynced);
         Some(&self.path)
@@ -399,7 +399,7 @@ impl State {
     }
 
     /// Returns the file if it is time to wait for the disk; `None` if the last wait was not longer ago than `interval`.
-    fn take_unsynced(&mut self, interval: Duration) -> Option<UnsyncedFile> {
+    fn take_file_if_sync_due(&mut self, interval: Duration) -> Option<UnsyncedFile> {
         let is_first = self.synced.is_none();
         if self.key.is_none() || !self.is_sync_due(interval) {
             return None;

@@ -63,37 +63,46 @@ impl Key {
         Self(blake3::derive_key("durer 2025-11-25 records of a resume journal", header))
     }
 
-    fn keyed_checksum(&self, offset: u64, content: &[u8]) -> [u8; SUM] {
+    fn keyed_checksum(&self, record_offset: u64, content: &[u8]) -> [u8; SUM] {
         let mut hasher = blake3::Hasher::new_keyed(&self.0);
-        hasher.update(&offset.to_le_bytes()).update(content);
+        hasher.update(&record_offset.to_le_bytes()).update(content);
         let mut sum = [0; SUM];
         hasher.finalize_xof().fill(&mut sum);
         sum
     }
 
-    /// Appends the record of a tile, which will be at `offset` in the file.
-    pub fn append_tile(&self, out: &mut Vec<u8>, offset: u64, tile: Tile, pixels: &[[f32; 4]]) {
+    /// Appends the record of a tile, which will be at `record_offset` in the file.
+    pub fn append_tile(&self, out: &mut Vec<u8>, record_offset: u64, tile: Tile, pixels: &[[f32; 4]]) {
         let Region { x, y, width, height } = tile.area;
-        self.append_record(out, offset, tile.pass, [x, y, width, height].map(|n| n as u64), |out| {
+        self.append_record(out, record_offset, tile.pass, [x, y, width, height].map(|n| n as u64), |out| {
             pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
         });
     }
 
-    /// Appends the record of a part of a file of light, which will be at `offset` in the file. The part begins at `offset_in_light` in
+    /// Appends the record of a part of a file of light, which will be at `record_offset` in the file. The part begins at `offset_in_light` in
     /// the file of light, and has at most [`MAX_PART`] bytes.
-    pub fn append_light(&self, out: &mut Vec<u8>, offset: u64, kind: LightKind, offset_in_light: u64, part: &[u8]) {
+    pub fn append_light(
+        &self,
+        out: &mut Vec<u8>,
+        record_offset: u64,
+        kind: LightKind,
+        offset_in_light: u64,
+        part: &[u8],
+    ) {
         let first = match kind {
             LightKind::Photons => PHOTONS,
             LightKind::Radiosity => RADIOSITY,
         };
-        self.append_record(out, offset, first, [offset_in_light, part.len() as u64, 0, 0], |out| out.extend(part));
+        self.append_record(out, record_offset, first, [offset_in_light, part.len() as u64, 0, 0], |out| {
+            out.extend(part)
+        });
     }
 
     /// Appends a record with this head, whose content `append_content` appends.
     fn append_record(
         &self,
         out: &mut Vec<u8>,
-        offset: u64,
+        record_offset: u64,
         kind_byte: u8,
         head_numbers: [u64; 4],
         append_content: impl FnOnce(&mut Vec<u8>),
@@ -102,15 +111,15 @@ impl Key {
         out.push(kind_byte);
         head_numbers.iter().for_each(|number| out.extend(number.to_le_bytes()));
         append_content(out);
-        let sum = self.keyed_checksum(offset, &out[start..]);
+        let sum = self.keyed_checksum(record_offset, &out[start..]);
         out.extend(sum);
     }
 
-    /// Reads the record at `offset`; `None` at the end of the file, and if the record is cut off.
+    /// Reads the record at `record_offset`; `None` at the end of the file, and if the record is cut off.
     ///
     /// # Errors
     /// If the record is damaged or from another journal, or cannot be read.
-    pub fn read(&self, from: &mut impl Read, offset: u64) -> Result<Option<Record>, String> {
+    pub fn read(&self, from: &mut impl Read, record_offset: u64) -> Result<Option<Record>, String> {
         let mut bytes = vec![0; HEAD];
         if !fill_unless_file_ends(from, &mut bytes)? {
             return Ok(None);
@@ -121,7 +130,7 @@ impl Key {
             return Ok(None);
         }
         let (summed, sum) = bytes.split_at(bytes.len() - SUM);
-        if self.keyed_checksum(offset, summed) != sum {
+        if self.keyed_checksum(record_offset, summed) != sum {
             return if ends_with_zeros(from, sum)? { Ok(None) } else { Err(damaged_reason()) };
         }
         Ok(Some(Record { content, length: bytes.len() }))

@@ -96,9 +96,9 @@ impl Settings {
         self.set_number(text, |p, x| p.clock = Some(x))
     }
 
-    pub fn antialias(&mut self, text: &str, on: bool) -> Checked {
+    pub fn antialias(&mut self, threshold: &str, on: bool) -> Checked {
         self.antialias = Some(on);
-        if text.is_empty() { Ok(()) } else { self.set_number(text, |p, x| p.threshold = x) }
+        if threshold.is_empty() { Ok(()) } else { self.set_number(threshold, |p, x| p.threshold = x) }
     }
 
     /// Sets the method of anti-aliasing, 1 or 2.

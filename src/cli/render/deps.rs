@@ -13,7 +13,7 @@ pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFile
     let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(without_dot_slash).collect();
     files.sort();
     let is_json = to.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
-    let text = if is_json { as_json(pictures, &files) } else { as_rule(pictures, &files) };
+    let text = if is_json { as_json(pictures, &files) } else { as_make_rule(pictures, &files) };
     if to == Path::new("-") {
         return console.write_to_stdout(text);
     }
@@ -32,7 +32,7 @@ fn as_json(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
 }
 
 /// Returns a make rule without commands, and an empty rule for each file, so that make does not fail if a file is gone.
-fn as_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
+fn as_make_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     let mut text = vec![];
     for (i, picture) in pictures.iter().enumerate() {
         text.extend(if i > 0 { &b" "[..] } else { b"" });
@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn a_rule_and_one_for_each_file() {
         let [out, a, b] = ["o ut.png", "a.scene", "b c.inc"].map(PathBuf::from);
-        let text = String::from_utf8(as_rule(&[out], &[a, b])).unwrap();
+        let text = String::from_utf8(as_make_rule(&[out], &[a, b])).unwrap();
         assert_eq!(text, "o\\ ut.png: \\\n  a.scene \\\n  b\\ c.inc\n\na.scene:\n\nb\\ c.inc:\n");
     }
 }

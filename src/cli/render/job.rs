@@ -118,7 +118,7 @@ impl<'a> Job<'a> {
     /// Reads the scene's text and builds Scene and World for a frame. `now` is the value of the constant, or `None` for
     /// the present. Warnings that an earlier frame has reported are removed.
     fn build(&mut self, timing: Timing, cancel: &CancelToken, now: Option<Duration>) -> Built {
-        self.console.povray_line(client_lines::PARSING);
+        self.console.print_line_as_povray(client_lines::PARSING);
         self.sources.begin_run();
         self.host = Arc::new(MeteredHost::new(now));
         let (cancel, host) = (cancel.clone(), self.host.clone());
@@ -256,7 +256,7 @@ impl<'a> Job<'a> {
         token: &CancelToken,
     ) -> Result<Rendered> {
         let (console, config) = (self.console, self.config);
-        console.povray_line(client_lines::RENDERING);
+        console.print_line_as_povray(client_lines::RENDERING);
         let drawing = config.drawing(timing);
         let pixels = match target.shard() {
             Some(shard) => Layout::new(&drawing, shard.count).blocks(shard).iter().map(Region::n_pixels).sum(),
@@ -296,7 +296,7 @@ impl<'a> Job<'a> {
     }
 
     /// Removes the journal of a picture that was written, and lists the picture among the finished frames.
-    fn finish_picture(
+    fn record_picture_as_finished(
         &self,
         target: &Target,
         timing: Timing,
@@ -357,7 +357,7 @@ impl<'a> Job<'a> {
         let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
             self.render_to_draft(target, &mut world, timing, journal.as_ref(), token)?;
         self.advise(warnings);
-        self.finish_picture(target, timing, journal.as_deref(), finished);
+        self.record_picture_as_finished(target, timing, journal.as_deref(), finished);
         drop(deferred);
 
         let drawing = config.drawing(timing);
@@ -365,7 +365,7 @@ impl<'a> Job<'a> {
             self.advise(advice::picture_warnings(&world, &drawing, config.circumstances(is_black)));
         }
         let times = [built.parse_time + built.build_time, trace_time];
-        console.povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));
+        console.print_povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));
         if let Some(stats) = &config.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.done.reports.push(Report::new(times, passes, rays, &config.drawing(timing)));

@@ -87,7 +87,7 @@ fn saved_photons_and_radiosity(world: &mut World) -> [Option<&mut SavedLight>; 2
 const LIGHT_KINDS: [LightKind; 2] = [LightKind::Photons, LightKind::Radiosity];
 
 /// True if light is loaded that the computation with this digest has saved.
-fn is_current(saved: &SavedLight, digest: Option<Digest>) -> bool {
+fn loaded_light_is_current(saved: &SavedLight, digest: Option<Digest>) -> bool {
     let computation = saved.loaded.as_ref().map(|loaded| loaded.file.header.computation);
     computation.is_some() && computation == digest
 }
@@ -156,7 +156,7 @@ impl LightSaver {
         let mut kinds = vec![];
         for ((kind, saved), digest) in LIGHT_KINDS.into_iter().zip(saved_photons_and_radiosity(world)).zip(digests) {
             let Some(saved) = saved else { continue };
-            if !is_current(saved, digest) && !try_load_from_journal(saved, journal, kind, digest) {
+            if !loaded_light_is_current(saved, digest) && !try_load_from_journal(saved, journal, kind, digest) {
                 let file = SaveFile { kind, path: journal.path().to_path_buf(), source: Span::NONE };
                 kinds.push((kind, saved.save.replace(file)));
             }

@@ -90,12 +90,12 @@ fn check_outputs_differ(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
         return usage_error(format!("`{picture}` is a picture, not a scene; `-o {picture}` writes the picture to it"));
     }
     let Some(output) = &args.output else {
-        return check_output_names(args, inputs);
+        return check_scene_outputs_differ(args, inputs);
     };
     if output == Path::new("-") {
         usage_error("the pictures of several scenes can't all go to standard output; render them one by one")
     } else if is_folder(output) {
-        check_output_names(args, inputs)
+        check_scene_outputs_differ(args, inputs)
     } else {
         let output = output.display();
         usage_error(format!("the pictures of several scenes can't all go to `{output}`; name a folder: `-o pictures/`"))
@@ -103,7 +103,7 @@ fn check_outputs_differ(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
 }
 
 /// Checks that no two scenes have the same output file.
-fn check_output_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+fn check_scene_outputs_differ(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
     if args.no_output || args.dump.is_some() {
         return Ok(());
     }

@@ -157,7 +157,7 @@ impl Target {
     pub fn check_writable(&self) -> Result<()> {
         match &self.location {
             Location::File(path) => {
-                check_old_file(path)?;
+                check_replaces_only_picture(path)?;
                 Ok(Disk.check_writable(path).map_err(|e| file::unwritable(&Disk, path, &e)).map_err(Box::new)?)
             }
             _ => Ok(()),
@@ -210,7 +210,7 @@ impl Target {
 }
 
 /// Refuses to replace a regular file that is neither a picture nor empty.
-fn check_old_file(path: &Path) -> Result<()> {
+fn check_replaces_only_picture(path: &Path) -> Result<()> {
     let mut start = Vec::with_capacity(image_io::SIGNATURE_BYTES);
     let is_regular = path.metadata().is_ok_and(|metadata| metadata.is_file());
     let Some(file) = is_regular.then(|| File::open(path).ok()).flatten() else { return Ok(()) };
@@ -224,11 +224,11 @@ fn check_old_file(path: &Path) -> Result<()> {
     Err(Box::new(fault.help("move it away, or give the picture another name with `-o`")).into())
 }
 
-fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
+fn encoding(args: &RenderArgs, format: Format, bits_per_channel: Option<u8>) -> Encoding {
     let plain = Encoding::new(format);
     Encoding {
         format,
-        depth: depth.unwrap_or(plain.depth),
+        depth: bits_per_channel.unwrap_or(plain.depth),
         gray: args.gray,
         alpha: keeps_alpha(&args.look, args),
         gamma: args.file_gamma.map_or(plain.gamma, |gamma| gamma.0),

@@ -261,7 +261,7 @@ impl preview::Backend for RenderLoop {
         let own = || (self.args.input.display().to_string() == *file).then(|| self.args.input.clone());
         let path = displayed.as_ref().and_then(|(scene, _)| path_in(scene)).or_else(own);
         let path = path.ok_or_else(|| format!("`{file}` is not a file of this scene"))?;
-        let words = editor.words_for_position(&path.to_string_lossy(), *line, *column);
+        let words = editor.command_line_for_position(&path.to_string_lossy(), *line, *column);
         let failure = |error| format!("cannot start `{}`: {error}", words[0]);
         let child = Command::new(&words[0]).args(&words[1..]).spawn().map_err(failure)?;
         reap(child).map_err(failure)

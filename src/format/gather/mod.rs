@@ -12,9 +12,9 @@ use crate::syntax::{Piece, Tokens, is_ignored_char};
 const LONG_LIST: usize = 100_000;
 
 /// Returns the atoms of a text whose first byte has the global offset `base`.
-pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
+pub fn gather(text: &str, global_start: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::new(&ast.tokens);
-    let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
+    let mut gatherer = Gatherer { text, global_start, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
     gatherer.body(&ast.elements);
     gatherer.gather_up_to(text.len());
     gatherer.gather_stray_characters(text.len());
@@ -28,7 +28,7 @@ struct Pieces<'a> {
 
 impl<'a> Pieces<'a> {
     fn new(tokens: &'a Tokens) -> Self {
-        let mut all = Box::new(tokens.pieces());
+        let mut all = Box::new(tokens.tokens_and_comments());
         Self { next: all.next(), all }
     }
 
@@ -39,9 +39,9 @@ impl<'a> Pieces<'a> {
 }
 
 /// True if a blank between two adjacent tokens would change them: `0.5.6` is another text than `0.5 .6`.
-fn changes_if_spaced(before: u8, first: u8) -> bool {
+fn changes_if_spaced(last_byte: u8, next_first_byte: u8) -> bool {
     let numeric = |byte: u8| byte.is_ascii_digit() || byte == b'.';
-    numeric(before) && numeric(first) || before == b'>' && first == b'='
+    numeric(last_byte) && numeric(next_first_byte) || last_byte == b'>' && next_first_byte == b'='
 }
 
 /// True for a character between tokens that is not in the formatted text.
@@ -51,7 +51,7 @@ fn is_dropped(c: char) -> bool {
 
 struct Gatherer<'a> {
     text: &'a str,
-    base: usize,
+    global_start: usize,
     pieces: Pieces<'a>,
     out: Atoms,
     /// Offset in the text after the last atom.
@@ -68,7 +68,7 @@ impl<'a> Gatherer<'a> {
     }
 
     fn local_offset(&self, global_offset: u32) -> usize {
-        (global_offset as usize).saturating_sub(self.base)
+        (global_offset as usize).saturating_sub(self.global_start)
     }
 
     fn read(&self, span: Span) -> &'a str {

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Radius that a cross section of this type needs to contain the point (a, b): (|a|^p + |b|^p)^(1/p) with p = 2 / type.
 /// Type 0 gives squares, 1 circles, 2 diamonds.
-fn cross_section_radius(a: f64, b: f64, kind: f64) -> f64 {
+fn cross_section_radius_through(a: f64, b: f64, kind: f64) -> f64 {
     let (a, b) = (a.abs(), b.abs());
     match kind {
         0.0 => a.max(b),
@@ -35,7 +35,7 @@ pub fn f_helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [
     let along = offset_from_period_middle(y - fp::atan2(-z, x) / period, pitch);
     let (a, b) = rotate_point(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
     // `min` also drops NaN where there is no helix.
-    cross_section_radius(a, b, kind).min(q + major) - minor
+    cross_section_radius_through(a, b, kind).min(q + major) - minor
 }
 
 /// Internal function `f_helix2`: A cylinder whose horizontal cross section turns around the y axis together with its
@@ -43,7 +43,7 @@ pub fn f_helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [
 pub fn f_helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
     let (sin, cos) = fp::sin_cos(period * y);
     let (a, b) = rotate_point(x - major * cos, z - major * sin, (-sin, cos));
-    cross_section_radius(a, b, kind) - minor
+    cross_section_radius_through(a, b, kind) - minor
 }
 
 /// Internal function `f_spiral`: Around the y axis, in the plane y = 0: the spiral of Archimedes r = winding · angle /
@@ -53,7 +53,7 @@ pub fn f_spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> 
     let r = (around + y * y).sqrt();
     let from_spiral = around.sqrt() - winding * fp::atan2(z, -x).rem_euclid(TAU) / TAU;
     let across = (from_spiral + winding / 2.0) % winding - winding / 2.0;
-    let tube = cross_section_radius(across, y, kind);
+    let tube = cross_section_radius_through(across, y, kind);
     let tube = if r < tube { r } else { tube } - thickness;
     tube.max(r - radius)
 }

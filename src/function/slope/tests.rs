@@ -104,7 +104,7 @@ fn local_bounds_of_noise_hold() {
         let mut bent = 0;
         for k in 0..20_000 {
             let (p, radius) = (vector(50.0), 0.5f64.powi(k % 12));
-            let near = callee.bounds_near(&[p.x, p.y, p.z, number], radius)[0];
+            let near = callee.value_bounds_near(&[p.x, p.y, p.z, number], radius)[0];
             bent += usize::from(near.gradient != DVec3::ZERO);
             let [a, b] = [(); 2].map(|()| p + vector(1.0).normalize() * radius * vector(1.0).x);
             let (fa, fb) = (at(a), at(b));

@@ -53,10 +53,10 @@ enum Function {
 static FUNCTIONS: LazyLock<FxHashMap<&'static str, Function>> = LazyLock::new(|| {
     let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
     let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
-    numeric.chain(plain_builtins().map(|row| (row.name, Function::Plain(row)))).chain(special).collect()
+    numeric.chain(vector_and_text_builtins().map(|row| (row.name, Function::Plain(row)))).chain(special).collect()
 });
 
-fn plain_builtins() -> impl Iterator<Item = &'static Builtin> {
+fn vector_and_text_builtins() -> impl Iterator<Item = &'static Builtin> {
     [vector::TABLE, text::TABLE].into_iter().flatten()
 }
 
@@ -99,7 +99,7 @@ impl Arguments {
 impl<'a> Interpreter<'a> {
     /// Calls a built-in function with parsed arguments.
     pub(super) fn call_builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
-        match self.function_of(name, span)? {
+        match self.find_builtin_function(name, span)? {
             Function::Special(row) => {
                 check_argument_count(name, &row.arity, arguments.len(), span)?;
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
@@ -125,7 +125,7 @@ impl<'a> Interpreter<'a> {
         arguments: SmallVec<[Argument<'a>; 4]>,
         span: Span,
     ) -> Result<Value> {
-        match self.function_of(name, span)? {
+        match self.find_builtin_function(name, span)? {
             Function::Special(Special { run, arity, .. }) => {
                 check_argument_count(name, arity, arguments.len(), span)?;
                 run(self, &arguments, span)
@@ -138,7 +138,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn function_of(&self, name: &'static str, span: Span) -> Result<Function> {
+    fn find_builtin_function(&self, name: &'static str, span: Span) -> Result<Function> {
         match FUNCTIONS.get(name) {
             Some(&function) => Ok(function),
             None => Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet")),
@@ -173,7 +173,7 @@ impl<'a> Interpreter<'a> {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
                 self.reporter.limit_error(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
             }
-            Value::Text(text) => self.reporter.count_text(text.len(), span),
+            Value::Text(text) => self.reporter.check_limits_after_text(text.len(), span),
             _ => Ok(()),
         }
     }
@@ -202,7 +202,7 @@ fn check_argument_count(name: &str, arity: &RangeInclusive<usize>, found: usize,
 
 /// Returns name, arguments and summary of each function that scripts have and `function { }` does not.
 pub(super) fn script_only_usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    plain_builtins()
+    vector_and_text_builtins()
         .map(|f| (f.name, f.usage, f.summary))
         .chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }

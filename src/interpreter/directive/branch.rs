@@ -19,7 +19,7 @@ impl<'a> Interpreter<'a> {
     /// Evaluates the number in the parentheses after a directive's word.
     fn evaluate_head(&mut self, head: &'a Head, span: Span) -> Result<f64> {
         match head {
-            Head::Whole(e) if !self.evaluator.must_split(e) => self.evaluate_number(e),
+            Head::Whole(e) if !self.evaluator.must_split_into_tokens(e) => self.evaluate_number(e),
             Head::Whole(e) => {
                 let elements = self.inputs.as_single_element(e);
                 self.read_parenthesized_number(elements, e.span)
@@ -44,7 +44,7 @@ impl<'a> Interpreter<'a> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
                 let checkpoint = self.stream.checkpoint();
-                if self.read_head_in_body(&branch.body, branch.span)?.abs() > TOLERANCE {
+                if self.read_macro_closed_condition(&branch.body, branch.span)?.abs() > TOLERANCE {
                     break;
                 }
                 self.unwind(checkpoint);
@@ -71,7 +71,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads a condition whose `)` comes from a macro. The parser then leaves the `(` as the body's first element; the
     /// stream continues with the rest of the body.
-    fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
+    fn read_macro_closed_condition(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Punctuation(Punctuation::Open(Bracket::Paren)))) {
             return Err(self.syntax_error_at(span).into());
         }
@@ -214,7 +214,7 @@ impl<'a> Interpreter<'a> {
             let checkpoint = self.stream.checkpoint();
             let fits = match &arm.when {
                 When::Case(Head::Pieces(None)) => {
-                    (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < TOLERANCE
+                    (self.read_macro_closed_condition(&arm.body, arm.span)? - value).abs() < TOLERANCE
                 }
                 When::Case(head) => (self.evaluate_head(head, arm.span)? - value).abs() < TOLERANCE,
                 When::Range(Some(elements)) => {

@@ -39,7 +39,7 @@ impl<'a> Interpreter<'a> {
             let slot = Slot::Value(Value::Float(x));
             match declare.local {
                 true => self.evaluator.scopes_mut().set_local(target.symbol, slot, vec![]),
-                false => self.evaluator.scopes_mut().set_global(target.symbol, slot, vec![]),
+                false => self.evaluator.scopes_mut().set_innermost_or_global(target.symbol, slot, vec![]),
             }
             return Ok(());
         }
@@ -161,7 +161,7 @@ impl<'a> Interpreter<'a> {
             self.expect_equals_sign()?;
             self.refuse_reserved_name(word, span)?;
         }
-        if let Some(level) = self.evaluator.level_of_prefix(symbol)
+        if let Some(level) = self.evaluator.scope_level_of_prefix(symbol)
             && let Some(ElementKind::Punctuation(Punctuation::Dot)) = self.stream.next_raw_element().map(|e| &e.kind)
         {
             return self.read_prefixed_target(level, directive);
@@ -257,7 +257,7 @@ impl<'a> Interpreter<'a> {
     fn evaluate_target(&mut self, target: &'a Target) -> Result<Declared> {
         let lvalue = match target.indices.is_empty() {
             true => None,
-            false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
+            false => Some(self.lvalue_adding_new_key(target.symbol, target.span, &target.indices)?),
         };
         Ok(Declared { symbol: target.symbol, level: None, lvalue })
     }
@@ -273,7 +273,7 @@ impl<'a> Interpreter<'a> {
                 self.evaluator.scopes_mut().set_at_level(declared.symbol, level, slot, first_use_warnings);
             }
             None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, first_use_warnings),
-            None => self.evaluator.scopes_mut().set_global(declared.symbol, slot, first_use_warnings),
+            None => self.evaluator.scopes_mut().set_innermost_or_global(declared.symbol, slot, first_use_warnings),
         }
     }
 

@@ -20,7 +20,7 @@ impl Constants {
         let (version, now) = (inputs.names.intern("version"), inputs.names.intern("now"));
         let mut constants = Self { values: vec![], version, now };
         for (name, _) in word::CONSTANTS {
-            let value = constant_value(name, inputs);
+            let value = initial_constant_value(name, inputs);
             constants.set(inputs.names.intern(name), value);
         }
         constants
@@ -53,7 +53,7 @@ impl Constants {
 }
 
 /// Returns the initial value of a built-in constant; `None` for other names.
-fn constant_value(name: &str, inputs: Inputs) -> Option<Value> {
+fn initial_constant_value(name: &str, inputs: Inputs) -> Option<Value> {
     let flag = |b: bool| Some(Value::Float(f64::from(b)));
     let float = |x: f64| Some(Value::Float(x));
     match name {

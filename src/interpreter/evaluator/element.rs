@@ -21,7 +21,7 @@ impl<'a> Evaluator<'a> {
 
     /// Returns the location of the element `key` of the dictionary at `lvalue`, for the expression `base.key`; `None`
     /// for another expression, or without a dictionary at `lvalue`.
-    pub fn dictionary_element(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
+    pub fn dictionary_element_lvalue(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
         let Some(dictionary) = self.scopes.dictionary(lvalue) else { return Ok(None) };
         let key = self.inputs.names.text(*symbol);
@@ -33,7 +33,7 @@ impl<'a> Evaluator<'a> {
 
     /// Returns the level of the scope that a prefix names: `local` of `local.A` or `global` of `global.A` (3.8); `None`
     /// for other names, and for a declared name.
-    pub fn level_of_prefix(&self, symbol: Symbol) -> Option<u32> {
+    pub fn scope_level_of_prefix(&self, symbol: Symbol) -> Option<u32> {
         if self.is_declared(symbol) {
             return None;
         }
@@ -48,7 +48,7 @@ impl<'a> Evaluator<'a> {
     pub fn prefixed_lvalue(&self, e: &Expr) -> Option<LValue> {
         let ExprKind::Dot(base, _, symbol) = &e.kind else { return None };
         let ExprKind::Name(prefix) = base.kind else { return None };
-        self.level_of_prefix(prefix).map(|level| self.scopes.resolve_at(*symbol, level))
+        self.scope_level_of_prefix(prefix).map(|level| self.scopes.resolve_at(*symbol, level))
     }
 
     /// Returns the location of a dictionary's element by its keys. With `adds_key`, a new last key is added.

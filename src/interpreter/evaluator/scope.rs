@@ -30,7 +30,7 @@ pub struct LValue {
     /// Name of the binding that the location starts from.
     pub symbol: Symbol,
     /// Index of the binding among those of the symbol, the outermost first.
-    depth: usize,
+    binding_index: usize,
     /// Path to the array element; `None` for the binding itself.
     path: Option<Path>,
 }
@@ -87,7 +87,7 @@ struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
     /// Warnings about the declaration, which the first use of the name reports.
-    pending: Option<Rc<[Diagnostic]>>,
+    first_use_warnings: Option<Rc<[Diagnostic]>>,
 }
 
 #[derive(Default)]
@@ -107,7 +107,7 @@ impl<'a> Scopes<'a> {
 
     /// Returns the number of the level at which the name of a location is bound.
     pub fn level_of(&self, lvalue: &LValue) -> u32 {
-        let binding = self.bindings.get(lvalue.symbol.0 as usize).and_then(|stack| stack.get(lvalue.depth));
+        let binding = self.bindings.get(lvalue.symbol.0 as usize).and_then(|stack| stack.get(lvalue.binding_index));
         binding.map_or(0, |binding| binding.level)
     }
 
@@ -147,34 +147,36 @@ impl<'a> Scopes<'a> {
 
     /// Returns the location of a name's innermost binding, after following aliases; `None` after its `#undef`.
     pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
-        let (symbol, depth, path) = self.symbol_depth_and_path(symbol)?;
-        Some(LValue { symbol, depth, path: path.cloned() })
+        let (symbol, binding_index, path) = self.symbol_binding_and_path(symbol)?;
+        Some(LValue { symbol, binding_index, path: path.cloned() })
     }
 
     /// Returns the location of a name that is bound at `level`; a location without contents if the name is not.
     pub fn resolve_at(&self, symbol: Symbol, level: u32) -> LValue {
         let stack = self.bindings.get(symbol.0 as usize).map_or(&[][..], Vec::as_slice);
         let bound = stack.iter().rposition(|binding| binding.level == level);
-        match bound.and_then(|depth| self.follow_aliases_from(symbol, depth)) {
-            Some((symbol, depth, path)) => LValue { symbol, depth, path: path.cloned() },
-            None => LValue { symbol, depth: usize::MAX, path: None },
+        match bound.and_then(|binding_index| self.follow_aliases_from(symbol, binding_index)) {
+            Some((symbol, binding_index, path)) => LValue { symbol, binding_index, path: path.cloned() },
+            None => LValue { symbol, binding_index: usize::MAX, path: None },
         }
     }
 
     /// Returns the parts of the location that [`Self::resolve`] returns, without copying the path.
-    fn symbol_depth_and_path(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
-        let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
-        self.follow_aliases_from(symbol, depth)
+    fn symbol_binding_and_path(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
+        let binding_index = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
+        self.follow_aliases_from(symbol, binding_index)
     }
 
     /// Follows the aliases that begin at the binding number `depth` of a symbol.
-    fn follow_aliases_from(&self, symbol: Symbol, depth: usize) -> Option<(Symbol, usize, Option<&Path>)> {
-        let (mut symbol, mut depth, mut path) = (symbol, depth, None);
+    fn follow_aliases_from(&self, symbol: Symbol, binding_index: usize) -> Option<(Symbol, usize, Option<&Path>)> {
+        let (mut symbol, mut binding_index, mut path) = (symbol, binding_index, None);
         // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.
         for _ in 0..MAX_ALIASES {
-            match &self.bindings[symbol.0 as usize].get(depth)?.slot {
-                Slot::Alias(lvalue) => (symbol, depth, path) = (lvalue.symbol, lvalue.depth, lvalue.path.as_ref()),
-                _ => return Some((symbol, depth, path)),
+            match &self.bindings[symbol.0 as usize].get(binding_index)?.slot {
+                Slot::Alias(lvalue) => {
+                    (symbol, binding_index, path) = (lvalue.symbol, lvalue.binding_index, lvalue.path.as_ref())
+                }
+                _ => return Some((symbol, binding_index, path)),
             }
         }
         None
@@ -189,8 +191,8 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        self.binding_stack(symbol).push(Binding { level, slot, pending: non_empty(pending) });
+    fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+        self.binding_stack(symbol).push(Binding { level, slot, first_use_warnings: non_empty(first_use_warnings) });
         // A binding is made at the innermost level or at the global one.
         if level > 0 {
             self.names.push(symbol);
@@ -198,19 +200,19 @@ impl<'a> Scopes<'a> {
     }
 
     pub fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
-        let (symbol, depth, path) = self.symbol_depth_and_path(symbol)?;
-        let slot = &self.bindings[symbol.0 as usize][depth].slot;
+        let (symbol, binding_index, path) = self.symbol_binding_and_path(symbol)?;
+        let slot = &self.bindings[symbol.0 as usize][binding_index].slot;
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
     /// Returns the contents of a variable or array element; `None` if undeclared.
     pub fn slot_at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
-        self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
+        self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.binding_index)?.slot.element(lvalue.path())
     }
 
     /// Sets or clears an array element.
     pub fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
-        let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.depth));
+        let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.binding_index));
         let Some((binding, (last, path))) = binding.zip(lvalue.path().split_last()) else { return };
         let mut target = &mut binding.slot;
         for &i in path {
@@ -244,7 +246,7 @@ impl<'a> Scopes<'a> {
     }
 
     fn at_mut(&mut self, lvalue: &LValue) -> Option<&mut Slot<'a>> {
-        let mut slot = &mut self.bindings.get_mut(lvalue.symbol.0 as usize)?.get_mut(lvalue.depth)?.slot;
+        let mut slot = &mut self.bindings.get_mut(lvalue.symbol.0 as usize)?.get_mut(lvalue.binding_index)?.slot;
         for &i in lvalue.path() {
             let Slot::Array(array) = slot else { return None };
             slot = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
@@ -254,52 +256,54 @@ impl<'a> Scopes<'a> {
 
     /// Returns the warnings about a name's declaration that the first use of the name is to report; `None` without any.
     pub fn pending_warnings(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
-        let (symbol, depth, _) = self.symbol_depth_and_path(symbol)?;
-        self.bindings[symbol.0 as usize][depth].pending.clone()
+        let (symbol, binding_index, _) = self.symbol_binding_and_path(symbol)?;
+        self.bindings[symbol.0 as usize][binding_index].first_use_warnings.clone()
     }
 
     /// Binds a name at the innermost level, as `#local` and the parameters of a call do.
-    pub fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    pub fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         let level = self.level();
         if self.binding_stack(symbol).last().is_none_or(|b| b.level != level) {
-            return self.push(symbol, level, slot, pending);
+            return self.push(symbol, level, slot, first_use_warnings);
         }
         let own = self.binding_stack(symbol).len() - 1;
         // If the target of a parameter's alias is gone, the parameter becomes a binding of its own.
         match self.resolve(symbol) {
-            Some(lvalue) => self.replace(&lvalue, slot, pending),
-            None => self.rebind(symbol, own, slot, pending),
+            Some(lvalue) => self.replace(&lvalue, slot, first_use_warnings),
+            None => self.rebind(symbol, own, slot, first_use_warnings),
         }
     }
 
     /// Changes the innermost binding of a name, or creates a global one, as `#declare` does.
-    pub fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match self.symbol_depth_and_path(symbol) {
-            Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
-            Some((symbol, depth, Some(path))) => {
-                let lvalue = LValue { symbol, depth, path: Some(path.clone()) };
+    pub fn set_innermost_or_global(&mut self, symbol: Symbol, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+        match self.symbol_binding_and_path(symbol) {
+            Some((symbol, binding_index, None)) => self.rebind(symbol, binding_index, slot, first_use_warnings),
+            Some((symbol, binding_index, Some(path))) => {
+                let lvalue = LValue { symbol, binding_index, path: Some(path.clone()) };
                 self.set_element(&lvalue, Some(slot));
             }
             None => match self.binding_stack(symbol).len() {
-                0 => self.push(symbol, 0, slot, pending),
-                n => self.rebind(symbol, n - 1, slot, pending),
+                0 => self.push(symbol, 0, slot, first_use_warnings),
+                n => self.rebind(symbol, n - 1, slot, first_use_warnings),
             },
         }
     }
 
     /// Binds a name at `level`, as `#declare global.A` and `#declare local.A` (3.8) do.
-    pub fn set_at_level(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    pub fn set_at_level(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         if level == self.level() {
-            return self.set_local(symbol, slot, pending);
+            return self.set_local(symbol, slot, first_use_warnings);
         }
         let stack = self.binding_stack(symbol);
         match stack.iter().position(|binding| binding.level >= level) {
-            Some(depth) if stack[depth].level == level => self.rebind(symbol, depth, slot, pending),
-            Some(depth) => {
-                stack.insert(depth, Binding { level, slot, pending: non_empty(pending) });
-                self.shift_aliases_after_insertion(symbol, depth);
+            Some(binding_index) if stack[binding_index].level == level => {
+                self.rebind(symbol, binding_index, slot, first_use_warnings)
             }
-            None => self.push(symbol, level, slot, pending),
+            Some(binding_index) => {
+                stack.insert(binding_index, Binding { level, slot, first_use_warnings: non_empty(first_use_warnings) });
+                self.shift_aliases_after_insertion(symbol, binding_index);
+            }
+            None => self.push(symbol, level, slot, first_use_warnings),
         }
     }
 
@@ -308,25 +312,25 @@ impl<'a> Scopes<'a> {
         for binding in self.bindings.iter_mut().flatten() {
             if let Slot::Alias(lvalue) = &mut binding.slot
                 && lvalue.symbol == symbol
-                && lvalue.depth >= inserted_at
+                && lvalue.binding_index >= inserted_at
             {
-                lvalue.depth += 1;
+                lvalue.binding_index += 1;
             }
         }
     }
 
-    fn replace(&mut self, lvalue: &LValue, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    fn replace(&mut self, lvalue: &LValue, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         if lvalue.path.is_none() {
-            self.rebind(lvalue.symbol, lvalue.depth, slot, pending);
+            self.rebind(lvalue.symbol, lvalue.binding_index, slot, first_use_warnings);
         } else {
             self.set_element(lvalue, Some(slot));
         }
     }
 
     #[inline]
-    fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, non_empty(pending));
+    fn rebind(&mut self, symbol: Symbol, binding_index: usize, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+        let binding = &mut self.bindings[symbol.0 as usize][binding_index];
+        (binding.slot, binding.first_use_warnings) = (slot, non_empty(first_use_warnings));
     }
 
     /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays.
@@ -342,8 +346,8 @@ impl<'a> Scopes<'a> {
             return self.set_element(lvalue, None);
         }
         let Some(stack) = self.bindings.get_mut(lvalue.symbol.0 as usize) else { return };
-        if lvalue.depth < stack.len() {
-            let binding = stack.remove(lvalue.depth);
+        if lvalue.binding_index < stack.len() {
+            let binding = stack.remove(lvalue.binding_index);
             self.forget_bound_name(lvalue.symbol, binding.level);
         }
     }
@@ -361,8 +365,8 @@ impl<'a> Scopes<'a> {
 }
 
 #[inline]
-fn non_empty(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
-    if pending.is_empty() { None } else { Some(pending.into()) }
+fn non_empty(first_use_warnings: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
+    if first_use_warnings.is_empty() { None } else { Some(first_use_warnings.into()) }
 }
 
 /// Returns the faults of failed declarations in a slot, including those in arrays.

@@ -8,12 +8,12 @@ impl Evaluator<'_> {
     /// True if an expression must be split into tokens: because it calls a macro, or because the name before a
     /// parenthesis is not that of a function.
     #[inline]
-    pub fn must_split(&self, e: &Expr) -> bool {
-        e.calls && self.call_must_split(e)
+    pub fn must_split_into_tokens(&self, e: &Expr) -> bool {
+        e.calls && self.needs_tokens_in_calls(e)
     }
 
-    fn call_must_split(&self, e: &Expr) -> bool {
-        let any = |elements: &[Element]| elements.iter().any(|element| self.element_must_split(element));
+    fn needs_tokens_in_calls(&self, e: &Expr) -> bool {
+        let any = |elements: &[Element]| elements.iter().any(|element| self.element_needs_tokens(element));
         match &e.kind {
             ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
                 Some(Slot::Value(value)) if is_callable(value) => any(arguments),
@@ -23,25 +23,28 @@ impl Evaluator<'_> {
                 None => self.is_constant(*name),
             },
             ExprKind::Vector(parts) => any(parts),
-            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.must_split(inner),
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.must_split_into_tokens(inner),
             ExprKind::Chain(chain) => {
-                self.must_split(&chain.first) || chain.rest.iter().any(|(_, e)| self.must_split(e))
+                self.must_split_into_tokens(&chain.first)
+                    || chain.rest.iter().any(|(_, e)| self.must_split_into_tokens(e))
             }
-            ExprKind::Choice(parts) => parts.iter().any(|e| self.must_split(e)),
-            ExprKind::Builtin(_, arguments) => arguments.iter().any(|e| self.must_split(e)),
-            ExprKind::Index(base, indices) => self.must_split(base) || indices.iter().any(|e| self.must_split(e)),
-            ExprKind::Apply(base, arguments) => self.must_split(base) || any(arguments),
-            ExprKind::Dot(base, _, symbol) => self.must_split(base) || self.is_macro(*symbol),
+            ExprKind::Choice(parts) => parts.iter().any(|e| self.must_split_into_tokens(e)),
+            ExprKind::Builtin(_, arguments) => arguments.iter().any(|e| self.must_split_into_tokens(e)),
+            ExprKind::Index(base, indices) => {
+                self.must_split_into_tokens(base) || indices.iter().any(|e| self.must_split_into_tokens(e))
+            }
+            ExprKind::Apply(base, arguments) => self.must_split_into_tokens(base) || any(arguments),
+            ExprKind::Dot(base, _, symbol) => self.must_split_into_tokens(base) || self.is_macro(*symbol),
             ExprKind::Block(_) | ExprKind::Function(_) => true,
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => false,
         }
     }
 
-    fn element_must_split(&self, element: &Element) -> bool {
+    fn element_needs_tokens(&self, element: &Element) -> bool {
         match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Name(name) => self.is_macro(*name),
-                _ => e.has_bare_comparison() || self.must_split(e),
+                _ => e.has_bare_comparison() || self.must_split_into_tokens(e),
             },
             ElementKind::Numbers(_) => false,
             // `cubic_spline` in the call of a spline.
@@ -57,9 +60,9 @@ impl Evaluator<'_> {
             ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
             ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => {
-                !e.has_bare_comparison() && !self.must_split(e)
+                !e.has_bare_comparison() && !self.must_split_into_tokens(e)
             }
-            ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.must_split(e),
+            ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.must_split_into_tokens(e),
             _ => false,
         }
     }
@@ -70,7 +73,7 @@ impl Evaluator<'_> {
     }
 
     /// True if a `[` after the name begins an index; false for a declared thing, where it begins a map's entry.
-    pub fn takes_index(&self, symbol: Symbol) -> bool {
+    pub fn bracket_begins_index(&self, symbol: Symbol) -> bool {
         !matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
     }
 

@@ -31,12 +31,7 @@ struct Compiler {
 }
 
 impl<'a> Interpreter<'a> {
-    fn read_sampled_function(
-        &mut self,
-        has_parameters: bool,
-        word: &'static str,
-        span: Span,
-    ) -> Result<Arc<dyn Thing>> {
+    fn read_block_function(&mut self, has_parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
         if has_parameters {
             let message = format!("a function made of a `{word}` has no parameters of its own");
             return Diagnostic::new(codes::WRONG_COUNT, span, message)
@@ -60,7 +55,7 @@ impl<'a> Interpreter<'a> {
             }
             "transform" => {
                 self.take_token()?;
-                let transform = self.transform_block()?;
+                let transform = self.read_transform_contents()?;
                 self.leave_block()?;
                 Arc::new(TransformSampler(transform))
             }
@@ -79,7 +74,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the contents of a pigment block as a pattern whose value is the pigment's brightness. The default pigment
     /// is ignored (quirk: `pigment_function_ignores_default`).
-    pub(super) fn read_pigment_brightness(&mut self) -> Result<Arc<dyn Thing>> {
+    pub(super) fn read_pigment_as_pattern(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))

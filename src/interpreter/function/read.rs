@@ -95,7 +95,7 @@ impl<'a> Interpreter<'a> {
     /// Reads the contents of a function's braces.
     fn read_function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
         if let Token::Block(name) = self.peek()? {
-            return self.read_sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
+            return self.read_block_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
         }
         if let Some(internal) = self.read_internal_call()? {
             return Ok(internal);

@@ -33,7 +33,7 @@ impl Sampler for PigmentSampler {
         self.0.color_at(&context_without_surface(p, &self.1)).to_array()
     }
 
-    fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
+    fn value_bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
         self.0.color_bounds_near(&context_without_surface(p, &self.1), radius)
     }
 }
@@ -59,8 +59,8 @@ impl Sampler for PatternSampler {
         if component == 0 { self.0.pattern_number_at(&context_without_surface(p, &self.1)) } else { 0.0 }
     }
 
-    fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
-        [self.0.bounds_near(&context_without_surface(p, &self.1), radius); 5]
+    fn value_bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
+        [self.0.value_bounds_near(&context_without_surface(p, &self.1), radius); 5]
     }
 }
 

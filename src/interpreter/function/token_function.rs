@@ -119,7 +119,7 @@ impl<'a> Interpreter<'a> {
         let mut component: Option<Name> = None;
         if matches!(self.peek_after_value()?, Some(Token::Punctuation(Punctuation::Dot))) {
             self.stream.advance();
-            let name = self.component_name()?;
+            let name = self.read_component_name()?;
             whole = joined_span_if_near(whole, name.span);
             component = Some(name);
         }

@@ -73,7 +73,7 @@ impl Interpreter<'_> {
     /// If a macro gives a second value.
     pub fn run_rest_of_macros(&mut self, frame_count: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
-        self.stream.clear_unless_pushed_back();
+        self.stream.drop_unpushed_look_ahead();
         while self.stream.frames().iter().skip(frame_count).any(in_macro) {
             let Some(frame) = self.stream.innermost() else { break };
             match frame.next() {

@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
                     self.stream.skip_element();
                     self.run_and_restore_comma(|me| me.call_macro_by_tokens(*name, element.span))?;
                 }
-                _ if expr.calls && self.evaluator.must_split(expr) => self.stream.split_next_element(),
+                _ if expr.calls && self.evaluator.must_split_into_tokens(expr) => self.stream.split_next_element(),
                 _ => return Ok(false),
             },
             _ => return Ok(false),

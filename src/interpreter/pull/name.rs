@@ -13,7 +13,7 @@ impl<'a> Interpreter<'a> {
         match &expr.kind {
             ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),
             ExprKind::Index(base, indices) => match base.kind {
-                ExprKind::Name(symbol) if !self.evaluator.takes_index(symbol) => {
+                ExprKind::Name(symbol) if !self.evaluator.bracket_begins_index(symbol) => {
                     self.stream.split_next_element();
                     Ok(None)
                 }
@@ -60,7 +60,7 @@ impl<'a> Interpreter<'a> {
             }
             Some(ElementKind::Entry(_)) => self.evaluator.is_array(symbol),
             Some(ElementKind::Punctuation(Punctuation::Dot)) => {
-                self.evaluator.is_array(symbol) || self.evaluator.level_of_prefix(symbol).is_some()
+                self.evaluator.is_array(symbol) || self.evaluator.scope_level_of_prefix(symbol).is_some()
             }
             None if !element.comma => self.evaluator.is_array(symbol),
             _ => false,

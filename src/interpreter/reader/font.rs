@@ -48,7 +48,7 @@ impl Interpreter<'_> {
     /// Returns an installed font of this name, or one with a similar design together with a warning.
     fn substitute_font(&mut self, name: &str, file_name: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
-        let found = fonts::find_similar(self.inputs.files, name, search);
+        let found = fonts::find_similar_font(self.inputs.files, name, search);
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
         if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(file_name)) {
             return found;

@@ -184,9 +184,11 @@ impl Interpreter<'_> {
         let span = self.stream.next_span();
         let word = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form_error(block, word, span, false),
+            Ok(Token::Word(word)) if takes.contains(&word) => {
+                return self.wrong_token_after_error(block, word, span, false);
+            }
             Ok(Token::Block(BlockName { word: Some(word), span, .. })) if takes.contains(&word) => {
-                return self.wrong_form_error(block, word, span, true);
+                return self.wrong_token_after_error(block, word, span, true);
             }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.inputs.sources.snippet(name.span).to_string(),
@@ -245,7 +247,7 @@ impl Interpreter<'_> {
     }
 
     /// Returns the error for a word that the block takes, but that is followed by an unsuitable token.
-    fn wrong_form_error(&mut self, block: &str, word: &'static str, span: Span, has_brace: bool) -> Diagnostic {
+    fn wrong_token_after_error(&mut self, block: &str, word: &'static str, span: Span, has_brace: bool) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {

@@ -141,7 +141,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>> {
-        self.read_pigment_brightness()
+        self.read_pigment_as_pattern()
     }
 
     fn float(&mut self) -> Result<f64> {

@@ -85,7 +85,7 @@ impl Interpreter<'_> {
     }
 
     /// Reads the contents of a `transform` block.
-    pub fn transform_block(&mut self) -> Result<Transform> {
+    pub fn read_transform_contents(&mut self) -> Result<Transform> {
         let mut all = Transform::IDENTITY;
         loop {
             match Reader::next(self)? {
@@ -120,7 +120,7 @@ impl Interpreter<'_> {
             }
             Next::Block("transform") => {
                 self.take_token()?;
-                let all = self.transform_block()?;
+                let all = self.read_transform_contents()?;
                 self.leave_block()?;
                 Ok(Some(Box::new(all)))
             }

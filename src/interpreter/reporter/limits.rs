@@ -73,7 +73,7 @@ impl Reporter<'_> {
     }
 
     /// Counts the bytes of a created string, because a few large strings take as long as many steps.
-    pub fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
+    pub fn check_limits_after_text(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.usage.text_made += bytes;
         if self.usage.text_made < TEXT_EVERY {
             return Ok(());

@@ -133,7 +133,7 @@ impl<'a> Reporter<'a> {
             self.report(fault);
         }
         self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
-        self.complete_diagnostics();
+        self.add_places_and_unreported();
     }
 
     /// Returns all diagnostics, and the branches that never ran.

@@ -154,7 +154,7 @@ impl SceneBuilder {
     }
 
     /// Sets the properties that depend on the language version at the end of the text.
-    pub(super) fn set_version_properties(&mut self) {
+    pub(super) fn set_final_version_properties(&mut self) {
         self.scene.version = self.language.version;
         let version = self.stated_version();
         let generator = self.noise_generator.load(Ordering::Relaxed);

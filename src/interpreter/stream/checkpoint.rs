@@ -123,12 +123,12 @@ impl TokenStream<'_> {
 
     /// Restores brackets and mode of the checkpoint, and drops all tokens that were read ahead.
     pub fn restore(&mut self, checkpoint: Checkpoint) {
-        self.forget_look_ahead(checkpoint);
+        self.restore_brackets_only(checkpoint);
         self.mode = checkpoint.mode;
     }
 
     /// Restores the brackets of the checkpoint, and drops all tokens that were read ahead.
-    pub fn forget_look_ahead(&mut self, checkpoint: Checkpoint) {
+    pub fn restore_brackets_only(&mut self, checkpoint: Checkpoint) {
         self.open_brackets.truncate(checkpoint.bracket_count);
         self.pushed_back.clear();
         (self.look_ahead, self.comma) = (None, false);

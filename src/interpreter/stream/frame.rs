@@ -160,18 +160,22 @@ impl<'a> TokenStream<'a> {
         self.frames.push(StackFrame::new(elements, kind, span));
     }
 
-    /// Inserts elements that are read next, then a closing bracket if one is given, then a comma if `comma` is set.
-    pub fn push_elements(&mut self, elements: &'a [Element], closer: Option<Bracket>, span: Span, comma: bool) {
+    /// Inserts elements that are read next, then a closing bracket if one is given, then a comma if `comma_after` is set.
+    pub fn push_elements(&mut self, elements: &'a [Element], closer: Option<Bracket>, span: Span, comma_after: bool) {
         self.look_ahead = None;
-        self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
+        self.frames.push(StackFrame {
+            closer,
+            comma: comma_after,
+            ..StackFrame::new(elements, FrameKind::Piece, span)
+        });
     }
 
-    /// Inserts a macro's body that is read next, then a comma if `comma` is set. Forgets commas of the arguments.
-    pub fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
+    /// Inserts a macro's body that is read next, then a comma if `comma_after` is set. Forgets commas of the arguments.
+    pub fn push_call(&mut self, definition: &'a Macro, span: Span, comma_after: bool) {
         (self.look_ahead, self.comma) = (None, false);
         self.call_depth += 1;
         let kind = FrameKind::Macro(definition.name);
-        self.frames.push(StackFrame { comma, ..StackFrame::new(&definition.body, kind, span) });
+        self.frames.push(StackFrame { comma: comma_after, ..StackFrame::new(&definition.body, kind, span) });
     }
 
     /// Inserts an included file that is read next. A comma before the directive moves to the end of the file.

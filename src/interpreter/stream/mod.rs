@@ -128,7 +128,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Drops the look-ahead unless it was pushed back.
-    pub(super) fn clear_unless_pushed_back(&mut self) {
+    pub(super) fn drop_unpushed_look_ahead(&mut self) {
         if self.pushed_back.is_empty() {
             self.look_ahead = None;
         }

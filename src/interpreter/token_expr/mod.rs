@@ -186,7 +186,7 @@ impl<'a> Interpreter<'a> {
                 Ok((Value::Color(color), span))
             }
             // One of durer's own words may also be a declared name: `camera { eye eye }`.
-            Token::Word(word) if let Some(symbol) = self.evaluator.symbol_if_declared(word) => {
+            Token::Word(word) if let Some(symbol) = self.evaluator.declared_symbol_of_keyword(word) => {
                 self.stream.advance();
                 Ok((self.evaluate_name(symbol, span)?, span))
             }
@@ -209,7 +209,7 @@ impl<'a> Interpreter<'a> {
             match self.peek_after_value()? {
                 Some(Token::Punctuation(Punctuation::Dot)) => {
                     self.stream.advance();
-                    let name = self.component_name()?;
+                    let name = self.read_component_name()?;
                     value = component(&value, &name, span)?;
                     span = joined_span_if_near(span, name.span);
                 }
@@ -222,7 +222,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the name of a component after the `.` that follows a value, as in `V.x`.
-    pub(super) fn component_name(&mut self) -> Result<Name> {
+    pub(super) fn read_component_name(&mut self) -> Result<Name> {
         // A word is the name whatever follows, so that directives after it do not run yet.
         if self.stream.look_ahead().is_none()
             && let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_raw_element()
@@ -270,7 +270,8 @@ impl<'a> Interpreter<'a> {
                 }
                 // A colour is a value, although no vector can hold one.
                 Token::Word(word)
-                    if !super::reader::begins_color(word) && self.evaluator.symbol_if_declared(word).is_none() =>
+                    if !super::reader::begins_color(word)
+                        && self.evaluator.declared_symbol_of_keyword(word).is_none() =>
                 {
                     return Err(self.unclosed_vector_error(start).into());
                 }

@@ -28,7 +28,7 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
             .map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
         TokenKind::Word(_) => word_explanation(text, words::block_at(outline, offset)),
         TokenKind::Name => {
-            let scope = outline.declaring_macro(text, outline.macro_pair_at(token.range.end));
+            let scope = outline.declaring_macro_pair(text, outline.macro_pair_at(token.range.end));
             let own = related.iter().position(|one| one.path == document.path);
             declaration_and_position(&related, text, scope, own)
                 .or_else(|| word_explanation(text, words::block_at(outline, offset)))
@@ -49,14 +49,14 @@ fn word_explanation(word: &str, block: &str) -> Option<String> {
 fn declaration_and_position(
     related: &[ReachableText],
     name: &str,
-    declaring_macro: Option<usize>,
+    declaring_macro_pair: Option<usize>,
     own_index: Option<usize>,
 ) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.outline.declarations.iter().map(move |d| (i, one, d)));
     let fits = |(i, one, d): &(usize, &ReachableText, &Declaration)| {
         d.name == name
-            && one.outline.declaring_macro(name, d.scope) == declaring_macro
-            && (declaring_macro.is_none() || Some(*i) == own_index)
+            && one.outline.declaring_macro_pair(name, d.scope) == declaring_macro_pair
+            && (declaring_macro_pair.is_none() || Some(*i) == own_index)
     };
     let found: Vec<_> = all.filter(fits).collect();
     let (_, one, d) = found.iter().find(|(i, ..)| Some(*i) == own_index).or(found.first())?;

@@ -17,7 +17,7 @@ struct Named {
     name: String,
     range: Range,
     /// Index of the macro of this text that declares the name.
-    declaring_macro: Option<usize>,
+    declaring_macro_pair: Option<usize>,
 }
 
 /// The name at a position of an open text.
@@ -28,8 +28,8 @@ fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named
     let token = outline.token_at(offset).filter(|token| token.kind == TokenKind::Name)?;
     let name = outline.slice(&token.range).to_string();
     // The declaration of a parameter is inside of its macro, too.
-    let declaring_macro = outline.declaring_macro(&name, outline.macro_pair_at(token.range.end));
-    Some(Named { name, range: document.text.range(token.range.clone()), declaring_macro })
+    let declaring_macro_pair = outline.declaring_macro_pair(&name, outline.macro_pair_at(token.range.end));
+    Some(Named { name, range: document.text.range(token.range.clone()), declaring_macro_pair })
 }
 
 /// One occurrence of a name in a scene's texts.
@@ -39,13 +39,13 @@ struct Occurrence {
 }
 
 /// Returns all occurrences of a name in a text. A parameter or local name of a macro has occurrences only in the text
-/// of the macro (`is_own`).
-fn occurrences(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Occurrence> {
+/// of the macro, which is the text of the request (`is_requesting_text`).
+fn occurrences(reached: &ReachableText, named: &Named, is_requesting_text: bool) -> Vec<Occurrence> {
     let (outline, text) = (&reached.outline, &reached.text);
-    if named.declaring_macro.is_some() && !is_own {
+    if named.declaring_macro_pair.is_some() && !is_requesting_text {
         return vec![];
     }
-    let belongs = |scope| outline.declaring_macro(&named.name, scope) == named.declaring_macro;
+    let belongs = |scope| outline.declaring_macro_pair(&named.name, scope) == named.declaring_macro_pair;
     let declared = outline.declarations.iter().filter(|d| d.name == named.name && belongs(d.scope));
     let used = outline.uses.iter().filter(|one| outline.slice(&one.range) == named.name && belongs(one.scope));
     let mut out: Vec<Occurrence> = declared

@@ -33,15 +33,15 @@ impl Bvh {
         (bvh, order)
     }
 
-    /// Builds a BVH whose items are packs of boxes: a group of boxes that `packs` accepts becomes one item, and `packs`
-    /// accepts each single box. Also returns the range of each pack's boxes in the order.
+    /// Builds a BVH whose items are packs of boxes: a group of boxes that `fits_in_one_pack`
+    /// accepts becomes one item; `fits_in_one_pack` accepts each single box. Also returns the range of each pack's boxes in the order.
     pub fn build_packs(
         boxes: impl ExactSizeIterator<Item = Aabb>,
-        packs: impl Fn(&[u32]) -> bool,
+        fits_in_one_pack: impl Fn(&[u32]) -> bool,
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let is_pack = |items: &[Prim]| {
             let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
-            items.len() <= LARGEST && packs(&numbers)
+            items.len() <= LARGEST && fits_in_one_pack(&numbers)
         };
         Build::build_hierarchy(boxes, is_pack, PACK)
     }
@@ -370,7 +370,7 @@ impl Cut {
                 *bin = bin.join(one);
             }
         }
-        let cuts = (0..3).map(|axis| (axis, cheapest_cut(&bins[axis])));
+        let cuts = (0..3).map(|axis| (axis, cheapest_left_bin_count(&bins[axis])));
         let (axis, (bin, cost)) = cuts.min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
         let cut = Cut { axis, from: around.first[axis], scale: scale[axis], bin: bin as f32 };
         cost.is_finite().then_some(cut)
@@ -384,7 +384,7 @@ impl Cut {
 
 /// Returns the number of bins on the left of the cheapest split plane, and its cost; infinite if all items are in one
 /// bin.
-fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
+fn cheapest_left_bin_count<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of bins i and above.
     let mut right = [0.0; BINS];
     let mut sum = Bin::EMPTY;

@@ -60,7 +60,7 @@ macro_rules! walk {
                             open = 0;
                         }
                         let before = open;
-                        (child, open) = nearest_child(node, mask, &near, &mut stack, open);
+                        (child, open) = nearest_child_pushing_others(node, mask, &near, &mut stack, open);
                         for entry in &stack[before..open] {
                             match entry.child.kind() {
                                 Kind::Node(number) => node::prefetch(&$bvh.nodes, number),
@@ -99,11 +99,21 @@ macro_rules! walk {
 }
 use walk;
 
+/// Position of an item in the BVH's order.
+type ItemPosition = usize;
+/// End of the interval of `t` in which hits are still of interest.
+type RangeEnd = f64;
+
 impl Bvh {
     /// Calls `visit` with the items of the BVH whose boxes the ray hits in the range, and a few of their neighbours,
     /// near boxes first. `visit` receives the item's position and the current end of the range, and returns the new
     /// end, or breaks. A ray with a coordinate that is not finite hits nothing.
-    pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+    pub fn traverse(
+        &self,
+        ray: &Ray,
+        range: Range,
+        visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
+    ) {
         if self.nodes.is_empty() || !ray.is_finite() {
             return;
         }
@@ -116,19 +126,29 @@ impl Bvh {
         self.traverse_portably(ray, range, visit);
     }
 
-    fn traverse_portably(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+    fn traverse_portably(
+        &self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
+    ) {
         walk!(node::slabs, self, ray, range, |_| (), visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn traverse_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+    fn traverse_avx2(
+        &self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
+    ) {
         walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
     /// Calls `visit` with the items of the BVH whose boxes contain the point, and a few of their neighbours, until it
     /// breaks.
-    pub fn visit_boxes_around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
+    pub fn visit_boxes_containing(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
         let mut stack: SmallVec<[Child; 64]> = SmallVec::new();
@@ -166,7 +186,7 @@ struct Entry {
 /// Returns the nearest child of a BVH node among those in a non-empty mask, and pushes the others onto the stack, near
 /// ones last. Also returns the new length of the stack.
 #[inline(always)]
-fn nearest_child(
+fn nearest_child_pushing_others(
     node: &Wide,
     mut mask: u32,
     near: &[f32; WIDTH],
@@ -427,7 +447,7 @@ mod tests {
         for k in 0..200 {
             let p = DVec3::new((k % 27) as f64, (k % 19) as f64, (k % 25) as f64) * 0.5;
             let mut found = vec![];
-            bvh.visit_boxes_around(p, |i| {
+            bvh.visit_boxes_containing(p, |i| {
                 found.push(order[i] as usize);
                 ControlFlow::Continue(())
             });

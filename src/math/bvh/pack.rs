@@ -86,14 +86,14 @@ impl Pack {
 
 /// Tests half a pack of triangles as [`Sheared::intersect`] tests one triangle: the portable implementation.
 #[inline(always)]
-pub(super) fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+pub(super) fn test_half_pack(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     let (mut areas, mut depths, mut mask) = ([[0.0; HALF]; 3], [[0.0; HALF]; 3], 0);
     for i in 0..HALF {
         let [a, b, c] = pack.numbers.each_ref().map(|numbers| {
             let number = usize::from(numbers[half % 2][i]) % MANY;
             line.shear_reordered_corner(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
         });
-        let found = Sheared::signed_areas(a, b, c);
+        let found = Sheared::doubled_signed_areas(a, b, c);
         mask |= u32::from(Sheared::have_equal_signs(found)) << i;
         (0..3).for_each(|k| (areas[k][i], depths[k][i]) = (found[k], [a, b, c][k].z));
     }
@@ -139,7 +139,7 @@ pub(super) mod avx2 {
 
     #[target_feature(enable = "avx2")]
     #[inline]
-    pub fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+    pub fn test_half_pack(pack: &Pack, line: &Sheared, half: usize) -> Areas {
         let values = line.axes.map(|axis| load(&pack.corners[axis % 3]));
         let from = line.from.to_array().map(|x| _mm256_set1_pd(x));
         let [lean_x, lean_y] = [line.shear.x, line.shear.y].map(|x| _mm256_set1_pd(x));

@@ -86,7 +86,7 @@ impl Shaft {
 impl Bvh {
     /// Calls `visit` with each item of each leaf whose box the shaft may intersect, in no particular order, until `visit`
     /// returns `Break`. A leaf can contain items whose own boxes are outside of the shaft.
-    pub fn visit_leaves_in_shaft(&self, shaft: &Shaft, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
+    pub fn visit_items_near_shaft(&self, shaft: &Shaft, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = shaft.bounds.min.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = shaft.bounds.max.to_array().map(|x| Vec4::splat(round_up(x)));
         let mut stack: SmallVec<[Child; 64]> = SmallVec::new();
@@ -155,7 +155,7 @@ mod tests {
             let [a, b] = [vector(5 * k) * sides[k as usize / 3 % 3], vector(7 * k) * sides[k as usize / 9 % 2]];
             let shaft = Shaft::new(apex, [center + a + b, center + a - b, center - a - b, center - a + b]).unwrap();
             let mut found = vec![];
-            bvh.visit_leaves_in_shaft(&shaft, |i| {
+            bvh.visit_items_near_shaft(&shaft, |i| {
                 found.push(order[i] as usize);
                 ControlFlow::Continue(())
             });

@@ -2,7 +2,7 @@
 
 use super::node::{self, Child, Kind, WIDTH};
 use super::pack::{self, Pack};
-use super::{Bvh, Entry, FlatRay, STACK, nearest_child, pad_up};
+use super::{Bvh, Entry, FlatRay, STACK, nearest_child_pushing_others, pad_up};
 use crate::math::{Aabb, DVec2, Range, Ray, Sheared};
 use glam::Vec3;
 use std::ops::ControlFlow;
@@ -72,13 +72,13 @@ impl Triangles {
         range: Range,
         mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>,
     ) {
-        meet!(node::slabs, pack::signed_areas, self, ray, range, visit);
+        meet!(node::slabs, pack::test_half_pack, self, ray, range, visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn visit_hits_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
-        meet!(node::avx2::slabs, pack::avx2::signed_areas, self, ray, range, visit);
+        meet!(node::avx2::slabs, pack::avx2::test_half_pack, self, ray, range, visit);
     }
 }
 

@@ -34,7 +34,7 @@ impl Cell {
     }
 
     /// Returns a random point in the unit cube, 0 to 1 along each axis; x is [`Self::random`].
-    pub fn random_point(self) -> DVec3 {
+    pub fn random_offset_in_cell(self) -> DVec3 {
         let hash = self.hash();
         DVec3::new(RANDOM[hash], RANDOM[hash + 1], RANDOM[hash + 2])
     }
@@ -228,7 +228,7 @@ mod tests {
         for corner in [[0; 3], [5, 4095, usize::MAX], [1, 2, 7], [4097, 2, 7]].map(Cell) {
             corner.with_neighbour_points(|around| {
                 for (n, step) in NEXT.iter().enumerate() {
-                    let point = DVec3::from(step.map(|i| i as f64)) + corner.offset_by(*step).random_point();
+                    let point = DVec3::from(step.map(|i| i as f64)) + corner.offset_by(*step).random_offset_in_cell();
                     assert_eq!(point, DVec3::from([0, 1, 2].map(|axis| around.points[axis][n])));
                 }
             });
@@ -240,6 +240,6 @@ mod tests {
         let (cell, within) = Cell::cell_and_position(DVec3::new(-0.25, 1.5, 3.0));
         assert_eq!(within, DVec3::new(0.75, 0.5, 0.0));
         assert_eq!(cell.random(), Cell([0, 1, 3]).offset_by([-1, 0, 0]).random());
-        assert_eq!(cell.random(), cell.random_point().x);
+        assert_eq!(cell.random(), cell.random_offset_in_cell().x);
     }
 }

@@ -149,7 +149,7 @@ impl Search<'_> {
     /// Searches for roots in [0, 1]. If the window is only a part of it, the clipped coefficients decide first whether
     /// there is any root. (Roots are then found from the whole interval: a root is the same to the last bit for any
     /// window.)
-    fn search_unit_interval<const N: usize>(&mut self, b: &[f64; N]) -> bool {
+    fn search_unit_is_over<const N: usize>(&mut self, b: &[f64; N]) -> bool {
         let (t0, t1) = ((self.window.0 - WINDOW_SLACK).max(0.0), (self.window.1 + WINDOW_SLACK).min(1.0));
         let degree = if N <= EXACT { N - 1 } else { self.degree };
         if t1 - t0 < MOST_OF_IT && sign_changes(&b[..=degree]) > 0 {
@@ -159,12 +159,12 @@ impl Search<'_> {
                 return false;
             }
         }
-        self.search_between(b, 0.0, 1.0)
+        self.search_interval_is_over(b, 0.0, 1.0)
     }
 
     /// Searches for roots between `lo` and `hi`, where the Bernstein coefficients are `b`. Returns true if the search
     /// is over.
-    fn search_between<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
+    fn search_interval_is_over<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
         if hi < self.window.0 || lo > self.window.1 {
             return false;
         }
@@ -184,13 +184,13 @@ impl Search<'_> {
         let (left, right) = split_in_half(b, degree);
         let (near, far) = ((&left, lo, middle), (&right, middle, hi));
         let (first, then) = if self.backwards { (far, near) } else { (near, far) };
-        self.search_between(first.0, first.1, first.2) || self.search_between(then.0, then.1, then.2)
+        self.search_interval_is_over(first.0, first.1, first.2) || self.search_interval_is_over(then.0, then.1, then.2)
     }
 }
 
 /// Finds the roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts
-/// twice. The degree, at most 11, is one less than their number. `found` receives each root; true ends the search.
-pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
+/// twice. The degree, at most 11, is one less than their number. `stops_at` receives each root; true ends the search.
+pub fn bernstein_roots(b: &[f64], stops_at: &mut dyn FnMut(f64) -> bool) {
     debug_assert!((2..=12).contains(&b.len()));
     // (Most pieces of a curve have no hit.)
     if sign_changes(b) == 0 {
@@ -198,17 +198,17 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     }
     match *b {
         [b0, b1] => {
-            found(b0 / (b0 - b1));
+            stops_at(b0 / (b0 - b1));
         }
         [b0, b1, b2] => {
-            let _ = bernstein_quadratic_roots(b0, b1, b2).into_iter().flatten().any(found);
+            let _ = bernstein_quadratic_roots(b0, b1, b2).into_iter().flatten().any(stops_at);
         }
-        [_, _, _, _] => roots_of_zero_padded::<4>(b, found),
-        [_, _, _, _, _] => roots_of_zero_padded::<5>(b, found),
-        [_, _, _, _, _, _] => roots_of_zero_padded::<6>(b, found),
-        [_, _, _, _, _, _, _] => roots_of_zero_padded::<7>(b, found),
-        [_, _, _, _, _, _, _, _] => roots_of_zero_padded::<8>(b, found),
-        _ => roots_of_zero_padded::<12>(b, found),
+        [_, _, _, _] => roots_of_zero_padded::<4>(b, stops_at),
+        [_, _, _, _, _] => roots_of_zero_padded::<5>(b, stops_at),
+        [_, _, _, _, _, _] => roots_of_zero_padded::<6>(b, stops_at),
+        [_, _, _, _, _, _, _] => roots_of_zero_padded::<7>(b, stops_at),
+        [_, _, _, _, _, _, _, _] => roots_of_zero_padded::<8>(b, stops_at),
+        _ => roots_of_zero_padded::<12>(b, stops_at),
     }
 }
 
@@ -237,14 +237,14 @@ fn roots_of_zero_padded<const N: usize>(b: &[f64], found: Found) {
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
     let noise = tolerance::POLYNOMIAL * size;
     let mut search = Search { degree: b.len() - 1, noise, window: (0.0, 1.0), backwards: false, found };
-    search.search_between(&padded, 0.0, 1.0);
+    search.search_interval_is_over(&padded, 0.0, 1.0);
 }
 
 /// Finds the roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
-/// ascending; a double root, unless rounding hides it, counts twice. `found` receives each root; true ends the search.
-pub fn polynomial_roots_between(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
+/// ascending; a double root, unless rounding hides it, counts twice. `stops_at` receives each root; true ends the search.
+pub fn polynomial_roots_between(c: &[f64], lo: f64, hi: f64, stops_at: &mut dyn FnMut(f64) -> bool) {
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
-    let mut report_root = |x: f64| x >= lo && x <= hi && found(x);
+    let mut report_root = |x: f64| x >= lo && x <= hi && stops_at(x);
     match *c {
         [b, a, ..] if degree == 1 => {
             report_root(-b / a);
@@ -253,18 +253,18 @@ pub fn polynomial_roots_between(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnM
             let both = solve_quadratic(a, b, c).map_or([f64::NAN; 2], |(x1, x2)| [x1, x2]);
             let _ = both.into_iter().any(report_root);
         }
-        _ if degree == 3 => search_line::<4>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 4 => search_line::<5>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 5 => search_line::<6>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 6 => search_line::<7>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 7 => search_line::<8>(&c[..=degree], lo, hi, &mut report_root),
-        _ => search_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 3 => roots_on_real_line::<4>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 4 => roots_on_real_line::<5>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 5 => roots_on_real_line::<6>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 6 => roots_on_real_line::<7>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 7 => roots_on_real_line::<8>(&c[..=degree], lo, hi, &mut report_root),
+        _ => roots_on_real_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
     }
 }
 
 /// Finds roots on the whole line: splits it into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first
 /// and the last coefficient similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
-fn search_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
+fn roots_on_real_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
@@ -299,7 +299,7 @@ fn search_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
         let inner = |found: Found, backwards| {
             let mut on_side = |t: f64| found(side * unit * t);
             let mut search = Search { degree, noise, window: (near, far), backwards, found: &mut on_side };
-            near <= 1.0 && search.search_unit_interval(&to_bernstein(a, degree, at_one))
+            near <= 1.0 && search.search_unit_is_over(&to_bernstein(a, degree, at_one))
         };
         let outer = |found: Found, backwards| {
             let mut turned = a;
@@ -307,7 +307,7 @@ fn search_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
             let mut on_side = |t: f64| found(side * unit / t);
             let window = (1.0 / far, if near > 1.0 { 1.0 / near } else { 1.0 });
             let mut search = Search { degree, noise, window, backwards, found: &mut on_side };
-            far >= 1.0 && search.search_unit_interval(&to_bernstein(turned, degree, at_one))
+            far >= 1.0 && search.search_unit_is_over(&to_bernstein(turned, degree, at_one))
         };
         if side < 0.0 {
             let _ = outer(&mut report_root, false) || inner(&mut report_root, true);
@@ -325,7 +325,7 @@ fn power_of_two(k: i32) -> f64 {
 /// Returns the Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at
 /// 1, which the intervals on both sides must share to the last bit.
 #[inline(always)]
-fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
+fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, value_at_one: f64) -> [f64; N] {
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
         *a *= inverse;
     }
@@ -334,7 +334,7 @@ fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> 
             a[j] += a[j - 1];
         }
     }
-    a[degree] = at_one;
+    a[degree] = value_at_one;
     a
 }
 

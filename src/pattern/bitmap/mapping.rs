@@ -79,7 +79,7 @@ impl PixelInterpolation {
 impl Mapping {
     /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
     /// one. `None` outside the picture.
-    pub fn project_to_picture(&self, p: DVec3) -> Option<(f64, f64)> {
+    pub fn project_to_unit_square(&self, p: DVec3) -> Option<(f64, f64)> {
         let around = || fp::angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
@@ -191,7 +191,8 @@ mod tests {
     #[test]
     fn nearest_counts_from_the_top() {
         let flat = Mapping::default();
-        let at = |x, y| flat.project_to_picture(DVec3::new(x, y, 0.0)).map(|uv| flat.weighted_pixels(uv, 4, 3)[0].0);
+        let at =
+            |x, y| flat.project_to_unit_square(DVec3::new(x, y, 0.0)).map(|uv| flat.weighted_pixels(uv, 4, 3)[0].0);
         assert_eq!([at(0.1, 0.1), at(0.9, 0.9), at(1.3, -0.1)], [Some(8), Some(3), Some(1)]);
     }
 
@@ -207,7 +208,7 @@ mod tests {
     #[test]
     fn once_ends_at_the_edges() {
         let once = Mapping { once: true, between: PixelInterpolation::Bilinear, ..Mapping::default() };
-        assert_eq!(once.project_to_picture(DVec3::new(1.01, 0.5, 0.0)), None);
+        assert_eq!(once.project_to_unit_square(DVec3::new(1.01, 0.5, 0.0)), None);
         assert!(once.weighted_pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
     }
 }

@@ -50,7 +50,7 @@ impl Cells for MaterialMap {
     }
 
     fn cell_kind(&self, p: DVec3) -> usize {
-        let Some(place) = self.mapping.project_to_picture(p) else { return 0 };
+        let Some(place) = self.mapping.project_to_unit_square(p) else { return 0 };
         let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
         // In a picture without a palette, red is the index.
         let number = |i| self.texels.palette_index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);

@@ -134,14 +134,14 @@ impl Field for ImagePattern {
     }
 
     fn value(&self, at: &TextureContext) -> f64 {
-        self.mapping.project_to_picture(at.p).map_or(0.0, |place| self.interpolated_value(place).clamp(0.0, 1.0))
+        self.mapping.project_to_unit_square(at.p).map_or(0.0, |place| self.interpolated_value(place).clamp(0.0, 1.0))
     }
 
     fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         if !self.bumps {
             return None;
         }
-        let Some((u, v)) = self.mapping.project_to_picture(at.p) else { return Some(n) };
+        let Some((u, v)) = self.mapping.project_to_unit_square(at.p) else { return Some(n) };
         // The slope of the triangle of three pixels: this one, the one below and the one to the right or left (quirk:
         // bump_map_three_pixels).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);

@@ -209,12 +209,12 @@ impl PavementLayout {
         };
         let corners = self.plan.corners_of_cell(cell);
         let value = match self.cells {
-            Cells::Triangles => self.triangle_height(corners[k], near),
-            Cells::Squares => match corner_opposite_notch(corners) {
-                Some(turn) => self.turning_square_height(corners[k], near, place.dot(directions[turn])),
-                None => self.square_height(corners[k], near, self.exterior, self.interior),
+            Cells::Triangles => self.height_in_triangle_cell(corners[k], near),
+            Cells::Squares => match cell_corner_opposite_notch(corners) {
+                Some(turn) => self.height_in_turning_square(corners[k], near, place.dot(directions[turn])),
+                None => self.height_in_square_cell(corners[k], near, self.exterior, self.interior),
             },
-            Cells::Hexagons => self.hexagon_height(corners[k], near),
+            Cells::Hexagons => self.height_in_hexagon_cell(corners[k], near),
         };
         value.clamp(0.0, 1.0)
     }
@@ -242,13 +242,17 @@ impl PavementLayout {
         }
     }
 
-    fn triangle_height(&self, corner: Corner, near: NearCorner) -> f64 {
+    fn height_in_triangle_cell(&self, corner: Corner, near: NearCorner) -> f64 {
         let bevels = self.bevel_heights(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip_height(bevels, near, self.exterior),
             // half of a 120° corner, with the open edge in its middle
-            (true, false) if corner.first => self.blunt_corner_height(bevels, near.along * H + near.across / 2.0, near),
-            (false, true) if corner.last => self.blunt_corner_height(bevels, near.along * H - near.across / 2.0, near),
+            (true, false) if corner.first => {
+                self.height_at_120_degrees(bevels, near.along * H + near.across / 2.0, near)
+            }
+            (false, true) if corner.last => {
+                self.height_at_120_degrees(bevels, near.along * H - near.across / 2.0, near)
+            }
             (false, false) if corner.any => match self.interior {
                 JointShape::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
                 JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
@@ -258,12 +262,12 @@ impl PavementLayout {
         }
     }
 
-    fn hexagon_height(&self, corner: Corner, near: NearCorner) -> f64 {
+    fn height_in_hexagon_cell(&self, corner: Corner, near: NearCorner) -> f64 {
         let bevels = self.bevel_heights(corner, near);
         // towards the edge that is not a joint, if one is not
         let open = if corner.before { near.across } else { -near.across };
         match (corner.before, corner.after) {
-            (true, true) => self.blunt_corner_height(bevels, near.along, near),
+            (true, true) => self.height_at_120_degrees(bevels, near.along, near),
             (false, false) => 0.0,
             _ if open > 0.0 && self.interior == JointShape::Cut => {
                 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open)
@@ -275,7 +279,7 @@ impl PavementLayout {
 
     /// Height of a pavement at a corner of 120° between two joints, whose shape there is `form`. The point is `along`
     /// from the corner, along the bisector of the corner.
-    fn blunt_corner_height(&self, bevel_heights: [f64; 2], along: f64, near: NearCorner) -> f64 {
+    fn height_at_120_degrees(&self, bevel_heights: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             JointShape::Cut => 2.0 - 4.0 * along,
             JointShape::Round => {
@@ -288,7 +292,13 @@ impl PavementLayout {
         }
     }
 
-    fn square_height(&self, corner: Corner, near: NearCorner, exterior: JointShape, interior: JointShape) -> f64 {
+    fn height_in_square_cell(
+        &self,
+        corner: Corner,
+        near: NearCorner,
+        exterior: JointShape,
+        interior: JointShape,
+    ) -> f64 {
         let bevels = self.bevel_heights(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip_height(bevels, near, exterior),
@@ -304,9 +314,9 @@ impl PavementLayout {
 
     /// Height of a pavement in a square at which a tile turns, from a notch to the opposite corner. `along` is the
     /// distance from the centre towards that corner.
-    fn turning_square_height(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
+    fn height_in_turning_square(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
-            JointShape::Pointed => self.square_height(corner, near, JointShape::Pointed, JointShape::Pointed),
+            JointShape::Pointed => self.height_in_square_cell(corner, near, JointShape::Pointed, JointShape::Pointed),
             JointShape::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
             JointShape::Round => {
                 // by the law of cosines, in halves of the square's side
@@ -314,7 +324,7 @@ impl PavementLayout {
                 let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
                 (from_notch - 1.0).abs()
             }
-            JointShape::AsOthers => self.square_height(corner, near, self.exterior, self.interior),
+            JointShape::AsOthers => self.height_in_square_cell(corner, near, self.exterior, self.interior),
         }
     }
 }
@@ -332,7 +342,7 @@ fn nearest_direction(directions: &[DVec2], place: DVec2) -> usize {
 }
 
 /// Returns the index of the corner of a pavement cell that lies between two joints and opposite a notch.
-fn corner_opposite_notch(corners: &[Corner]) -> Option<usize> {
+fn cell_corner_opposite_notch(corners: &[Corner]) -> Option<usize> {
     (0..4).find(|&k| {
         let across = corners[(k + 2) % 4];
         corners[k].before && corners[k].after && !across.before && !across.after && across.any

@@ -148,7 +148,7 @@ mod tests {
                         };
                         let (p, radius) = (vector() * 3.0, vector().x.abs() * 0.2);
                         let at = |p| TextureContext::without_surface(p, NoiseGenerator::RangeCorrected);
-                        let near = program.bounds_near(&at(p), radius);
+                        let near = program.value_bounds_near(&at(p), radius);
                         known += usize::from(near.steepest.is_finite());
                         let q = p + vector().normalize() * radius * vector().x.abs();
                         let (a, b) =

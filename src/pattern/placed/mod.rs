@@ -180,25 +180,25 @@ impl Pattern {
 
     /// Removes and returns the space around a pattern that was mapped by uv; from then on the pattern receives points.
     /// `None` if the pattern was not mapped.
-    pub fn take_outer_space(&mut self) -> Option<Self> {
+    pub fn take_space_outside_uv(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;
         Some(Self { kind: PatternKind::Surface, space, ..Self::default() })
     }
 
-    /// Restores the space around a pattern that [`Self::take_outer_space`] returned.
-    pub fn restore_outer_space(&mut self, around: Self) {
+    /// Restores the space around a pattern that [`Self::take_space_outside_uv`] returned.
+    pub fn restore_space_outside_uv(&mut self, around: Self) {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }
 
     /// True if the pattern receives (u, v, 0) instead of the point.
-    pub fn uses_uv(&self) -> bool {
+    pub fn receives_uv(&self) -> bool {
         self.uv || self.kind == PatternKind::Surface
     }
 
     /// True if the pattern, or the pigment whose brightness it is, depends on surface coordinates.
     pub fn depends_on_uv(&self) -> bool {
-        self.uses_uv()
+        self.receives_uv()
             || matches!(&self.kind, PatternKind::Field(FieldPattern::PigmentPattern(inner)) if inner.depends_on_uv())
     }
 

@@ -51,7 +51,7 @@ struct Number {
 impl PatternProgram {
     /// Lowers a pattern to the form that is evaluated.
     pub fn new(pattern: &Pattern) -> Self {
-        Self { uv: pattern.uses_uv(), way: lower_steps(pattern), value: lower_value(pattern) }
+        Self { uv: pattern.receives_uv(), way: lower_steps(pattern), value: lower_value(pattern) }
     }
 
     /// True if the lowered pattern is constant.
@@ -65,7 +65,7 @@ impl PatternProgram {
     }
 
     /// True if the lowered pattern receives (u, v, 0) instead of the point.
-    pub fn uses_uv(&self) -> bool {
+    pub fn receives_uv(&self) -> bool {
         self.uv
     }
 
@@ -111,7 +111,7 @@ impl PatternProgram {
     }
 
     /// Returns bounds on the numbers of [`Self::number_and_entry_context`] within a radius of a point.
-    pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
+    pub fn value_bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
         for step in &self.way {
             longer *= match step {
@@ -126,7 +126,7 @@ impl PatternProgram {
                 LocalBounds::constant(self.number_in_pattern_space(&inner))
             }
             Value::Cells(_) => LocalBounds::UNKNOWN,
-            Value::Field(number) => number.modifiers.modified_bounds(number.field.bounds_near(
+            Value::Field(number) => number.modifiers.modified_bounds(number.field.value_bounds_near(
                 &number.with_own_noise(&inner),
                 &number.field_params(),
                 radius,
@@ -223,8 +223,11 @@ fn lower_steps(pattern: &Pattern) -> Box<[SpaceStep]> {
         }
     }
     way.push(SpaceStep::Affine(affine));
-    let owns_turbulence = matches!(&pattern.kind, PatternKind::Field(field) if field.owns_turbulence());
-    if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !owns_turbulence && t.amount != DVec3::ZERO) {
+    let handles_turbulence_itself =
+        matches!(&pattern.kind, PatternKind::Field(field) if field.handles_turbulence_itself());
+    if let Some(turbulence) =
+        space.turbulence.as_deref().filter(|t| !handles_turbulence_itself && t.amount != DVec3::ZERO)
+    {
         way.push(SpaceStep::Turbulence(turbulence.amount, turbulence.to_octaves()));
     }
     way.retain(|step| !matches!(step, SpaceStep::Affine(inverse) if *inverse == DAffine3::IDENTITY));

@@ -69,12 +69,12 @@ impl Place {
     /// Locates a point in a Penrose tiling's triangles, given the legs of the smallest triangles and the least number
     /// of cuts, which grows by four until the first triangles reach far enough: after four cuts all positions repeat,
     /// scaled by φ⁻⁴.
-    fn locate_in_triangle(p: DVec2, leg: f64, cuts: u32) -> Self {
+    fn locate_in_triangle(p: DVec2, smallest_leg: f64, min_cuts: u32) -> Self {
         // By fivefold symmetry and a mirror, one of the ten triangles is enough, with B at 36° and C at 0°.
         let p = DVec2::new(p.x, p.y.abs());
         let (x, z) = along_and_across(p, nearest_direction(p, &[0, 2, 4]));
         let (x, z) = (x, z.abs());
-        let (mut cuts, mut long) = (cuts, leg * fp::integer_power(PHI, cuts));
+        let (mut cuts, mut long) = (min_cuts, smallest_leg * fp::integer_power(PHI, min_cuts));
         while long * C18 < fp::hypot(x, z) {
             (cuts, long) = (cuts + 4, long * fp::integer_power(PHI, 4));
         }

@@ -81,7 +81,7 @@ impl BlackHole {
         let block = DVec3::select(repeats, (p / size).floor(), DVec3::ZERO);
         // Random numbers of unit cubes: each block has those of the cube with its number (quirk:
         // black_hole_random_cells).
-        let random = Cell::cell_and_position(block).0.random_point();
+        let random = Cell::cell_and_position(block).0.random_offset_in_cell();
         block * size + center + self.turbulence * random
     }
 }

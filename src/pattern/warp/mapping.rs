@@ -48,7 +48,7 @@ impl Layout {
     }
 
     /// Scale of the pattern's plane at this distance in a mapping warp.
-    fn plane_scale(&self, distance: f64) -> f64 {
+    fn pattern_plane_scale(&self, distance: f64) -> f64 {
         if self.dist_exp == 0.0 { 1.0 } else { fp::pow(distance, self.dist_exp) }
     }
 }
@@ -79,7 +79,7 @@ impl Bend for CylindricalWarp {
         if distance == 0.0 {
             return p;
         }
-        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * self.0.plane_scale(distance), p.y, distance)
+        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * self.0.pattern_plane_scale(distance), p.y, distance)
     }
 }
 
@@ -109,7 +109,7 @@ impl Bend for SphericalWarp {
         if distance == 0.0 {
             return p;
         }
-        let grown = self.0.plane_scale(distance);
+        let grown = self.0.pattern_plane_scale(distance);
         let latitude = fp::asin(p.y / distance) / PI + 0.5;
         self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, latitude * grown, distance)
     }
@@ -152,7 +152,7 @@ impl Bend for ToroidalWarp {
         let outwards = fp::hypot(p.x, p.z) - self.major_radius;
         let distance = fp::hypot(outwards, p.y);
         let part = fp::atan2(p.y, outwards) / TAU + 0.5;
-        let grown = self.layout.plane_scale(distance);
+        let grown = self.layout.pattern_plane_scale(distance);
         self.layout.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
     }
 }

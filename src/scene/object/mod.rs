@@ -250,7 +250,7 @@ impl Object {
     }
 
     /// True if `uv_mapping` of the group around the object also applies to the object (quirk: `uv_mapping_of_group`).
-    pub fn inherits_uv_mapping(&self) -> bool {
+    pub fn takes_group_uv_mapping(&self) -> bool {
         self.uncommon.interior_texture.is_none()
     }
 

@@ -312,7 +312,7 @@ impl Object {
             r.report(Diagnostic::new(codes::EMPTY_BLOCK, at, format!("this `{word}` holds no object")));
             return Ok(());
         }
-        Weight::check_clipping(&parts, at)?;
+        Weight::check_clipping_shape_count(&parts, at)?;
         let weight = self.weight().enclosing(&parts);
         weight.check_depth(at)?;
         self.bulk.get_or_insert_default().weight = weight;

@@ -57,7 +57,7 @@ impl Cube {
     }
 
     /// Half width of the cube's image along its widest axis.
-    fn half_width(&self) -> f64 {
+    fn widest_half_width(&self) -> f64 {
         self.columns.iter().map(|side| side.abs()).sum::<DVec3>().max_element()
     }
 }
@@ -175,7 +175,7 @@ impl Component {
             let next = r.next()?;
             match next {
                 Next::End => {
-                    self.widening = cube.half_width();
+                    self.widening = cube.widest_half_width();
                     return Ok(());
                 }
                 next if next.is_transform() => {

@@ -105,7 +105,7 @@ impl RayPiece {
 
 /// Returns the distance at which a ray crosses the middle of a square along one axis. That is `line_crossing`, or
 /// infinite (of either sign) where the ray is parallel to the middle line or the square has no second half.
-fn middle_crossing(o: f64, d: f64, middle: usize, end: usize, line_crossing: f64) -> f64 {
+fn middle_crossing_or_infinity(o: f64, d: f64, middle: usize, end: usize, line_crossing: f64) -> f64 {
     let is_whole = middle >= end;
     if d == 0.0 {
         let is_first = is_whole || o < middle as f64;
@@ -123,9 +123,9 @@ impl Grid {
     pub fn new(width: usize, heights: Vec<u16>) -> Self {
         let (across, deep) = (width.max(2) - 1, (heights.len() / width.max(1)).max(2) - 1);
         let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![], normals: OnceLock::new() };
-        grid.pyramid.push(grid.lowest_level());
+        grid.pyramid.push(grid.build_finest_level());
         while let Some(level) = grid.pyramid.last().filter(|level| level.ranges.len() > 1) {
-            grid.pyramid.push(level.next_level());
+            grid.pyramid.push(level.coarser_level());
         }
         grid
     }
@@ -150,7 +150,7 @@ impl Grid {
         self.pyramid.last().map_or([0.0; 2], |level| level.ranges[0].map(f64::from))
     }
 
-    fn lowest_level(&self) -> Level {
+    fn build_finest_level(&self) -> Level {
         let (across, deep) = (self.across.div_ceil(BLOCK), self.deep.div_ceil(BLOCK));
         let range = |place: usize| {
             let (i, k) = (place % across * BLOCK, place / across * BLOCK);
@@ -243,8 +243,10 @@ impl Grid {
         // The line crosses the middle of the square once along each axis, so it is over three of the four quarters at
         // most.
         let half = self.pyramid[level - 1].size;
-        let x_middle = middle_crossing(line.o.x, line.d.x, from[0] + half, to[0], line.distance_at_x(from[0] + half));
-        let z_middle = middle_crossing(line.o.z, line.d.z, from[1] + half, to[1], line.distance_at_z(from[1] + half));
+        let x_middle =
+            middle_crossing_or_infinity(line.o.x, line.d.x, from[0] + half, to[0], line.distance_at_x(from[0] + half));
+        let z_middle =
+            middle_crossing_or_infinity(line.o.z, line.d.z, from[1] + half, to[1], line.distance_at_z(from[1] + half));
         let (flip_x, flip_z) = (usize::from(line.d.x < 0.0), usize::from(line.d.z < 0.0));
         let (first, second, by_x) =
             if x_middle <= z_middle { (x_middle, z_middle, true) } else { (z_middle, x_middle, false) };
@@ -349,11 +351,11 @@ impl Grid {
     ) -> ControlFlow<()> {
         let diagonal = ((i + k + 1) as f64 - line.o.x - line.o.z) / (line.d.x + line.d.z);
         if !(diagonal > t[0] && diagonal < t[1]) {
-            let (_, rest) = line.height_and_position(i, k, 0.5 * (t[0] + t[1]));
+            let (_, rest) = line.height_and_cell_position(i, k, 0.5 * (t[0] + t[1]));
             return line.visit_crossing(Place { i, k, upper: rest.x + rest.y > 1.0 }, t, above_field);
         }
         let [_, h10, h01, _] = self.cell_corner_heights(i, k);
-        let (y, rest) = line.height_and_position(i, k, diagonal);
+        let (y, rest) = line.height_and_cell_position(i, k, diagonal);
         let middle = y - (h10 + (h01 - h10) * rest.y);
         let first = line.d.x + line.d.z < 0.0;
         line.visit_crossing(Place { i, k, upper: first }, [t[0], diagonal], [above_field[0], middle])?;
@@ -362,7 +364,7 @@ impl Grid {
 
     /// Height of the ray above the height field at the edge of a cell, or within it.
     fn height_above_field(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
-        let (y, rest) = line.height_and_position(i, k, t);
+        let (y, rest) = line.height_and_cell_position(i, k, t);
         let along = |a: f64, b: f64, s: f64| a + (b - a) * s;
         let edge = |i: usize| along(self.corner_height(i, k), self.corner_height(i, k + 1), rest.y);
         let row = |k: usize| along(self.corner_height(i, k), self.corner_height(i + 1, k), rest.x);
@@ -378,7 +380,7 @@ impl Grid {
 
 impl Level {
     /// Returns the next level of the height field's pyramid, with squares twice as large.
-    fn next_level(&self) -> Self {
+    fn coarser_level(&self) -> Self {
         let (across, deep) = (self.across.div_ceil(2), self.deep.div_ceil(2));
         let range = |place: usize| {
             let (a, b) = (place % across * 2, place / across * 2);
@@ -404,7 +406,7 @@ impl Line<'_> {
     }
 
     /// Returns the height of the ray at distance `t`, and its position within a height field's cell.
-    fn height_and_position(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
+    fn height_and_cell_position(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
         let p = self.o + self.d * t;
         (p.y, DVec2::new(p.x - i as f64, p.z - k as f64).clamp(DVec2::ZERO, DVec2::ONE))
     }

@@ -19,7 +19,7 @@ pub fn brightness_u16([r, g, b]: [u16; 3]) -> u16 {
 
 /// Returns the height of each pixel of a picture, row by row from below. Palette indices are heights; colours of 16
 /// bits count by their brightness; of other colours red is the higher and green the lower byte.
-pub fn heights_of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
+pub fn picture_heights_bottom_up(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
     let pixels = &picture.pixels;
     let (width, channels) = (pixels.width, pixels.channels);
     let curve = |x: f64| gamma.map_or(x, |gamma| gamma.decode(x));

@@ -190,7 +190,7 @@ impl Readable for HeightField {
             && width > 1
             && height > 1
         {
-            let all = heights::heights_of_picture(&picture, self.gamma);
+            let all = heights::picture_heights_bottom_up(&picture, self.gamma);
             let heights = if self.is_pot { heights::heights_of_pot_picture(&all, picture.pixels.width) } else { all };
             self.grid = Some(Arc::new(Grid::new(width, heights)));
         }

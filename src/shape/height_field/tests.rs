@@ -84,13 +84,13 @@ fn heights_follow_from_pixels() {
     };
     // The last row is the first of the field.
     let two_bytes = picture(3, Samples::U8(vec![1, 2, 3, 209, 84, 115]), None);
-    assert_eq!(heights::heights_of_picture(&two_bytes, None), [209 * 256 + 84, 258]);
+    assert_eq!(heights::picture_heights_bottom_up(&two_bytes, None), [209 * 256 + 84, 258]);
     let gray = picture(1, Samples::U8(vec![0, 255]), None);
-    assert_eq!(heights::heights_of_picture(&gray, None), [65535, 0]);
+    assert_eq!(heights::picture_heights_bottom_up(&gray, None), [65535, 0]);
     let colors = picture(3, Samples::U16(vec![10_000, 30_000, 60_000, 7, 7, 7]), None);
-    assert_eq!(heights::heights_of_picture(&colors, None), [7, 27_480]);
+    assert_eq!(heights::picture_heights_bottom_up(&colors, None), [7, 27_480]);
     let palette = picture(3, Samples::U8(vec![0; 6]), Some(vec![5, 2]));
-    assert_eq!(heights::heights_of_picture(&palette, None), [512, 1280]);
+    assert_eq!(heights::picture_heights_bottom_up(&palette, None), [512, 1280]);
     assert_eq!([-0.25, 0.5, 1.4, f64::NAN].map(heights::unit_to_wrapping_u16), [49_153, 32_767, 26_213, 0]);
 }
 

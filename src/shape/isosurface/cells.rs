@@ -133,7 +133,7 @@ impl Cells {
             let ended = match grid.cell_at(cell) {
                 None => visit(t, next, None),
                 Some(inner) if halvings_left == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
-                Some(inner) => match self.subgrid_if_better(grid, cell, inner) {
+                Some(inner) => match self.eight_parts_if_useful(grid, cell, inner) {
                     Some(finer) => self.any_piece_in_grid(finer, halvings_left - 1, ray, (t, next), visit),
                     None => visit(t, next, Some(&inner.gradient)),
                 },
@@ -153,7 +153,7 @@ impl Cells {
     }
 
     /// Returns the eight parts of an isosurface's cell; `None` if all of them hold surface and none has bounds.
-    fn subgrid_if_better<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
+    fn eight_parts_if_useful<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
         let halves = inner.halves.get_or_init(|| {
             let mut eight = Grid::empty_grid(grid.block_bounds(cell.map(|i| [i, i + 1])), [2; 3]);
             eight.collect_surface_cells(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);

@@ -143,14 +143,14 @@ impl Isosurface {
         }
     }
 
-    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is
+    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known_t_and_value` is
     /// a point with its value. Pieces start where cells do, so that roots hardly depend on the range.
     fn any_root_in_cells(
         &self,
         near: &Ray,
         (origin, to): (f64, f64),
         within: Range,
-        mut known: Option<(f64, f64)>,
+        mut known_t_and_value: Option<(f64, f64)>,
         found: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
         let value = &|t: f64| self.value_at(near.at(t));
@@ -164,9 +164,9 @@ impl Isosurface {
         let exact = 1e-10 * cells.cell_diagonal() / length;
         let roughly = exact.max(self.accuracy * walk::ROOTS);
         let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
-            let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
+            let first = known_t_and_value.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
-            known = Some(last);
+            known_t_and_value = Some(last);
             Search { value, apart, exact, roughly, ahead: origin, range: within }
                 .any_root_between(first, last, rate, found)
         };

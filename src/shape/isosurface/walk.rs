@@ -42,7 +42,7 @@ impl<'a> Walk<'a> {
         accuracy: f64,
     ) -> Option<Self> {
         let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(enters_solid) };
-        walk.set_piece_length();
+        walk.reset_piece_length();
         // Behind the container's own face the end of the first piece counts as a hit, which that face hides.
         if !container_is_open && enters_solid {
             walk.skip_after_hit(walk.piece);
@@ -60,7 +60,7 @@ impl<'a> Walk<'a> {
     ) -> Option<Self> {
         let first = value(from);
         let mut walk = Self { value, accuracy, to, from, piece: 0.0, inside: Some(first < 0.0) };
-        walk.set_piece_length();
+        walk.reset_piece_length();
         if first < NEAR * accuracy * max_gradient {
             walk.skip_after_hit(from);
         }
@@ -100,14 +100,14 @@ impl<'a> Walk<'a> {
     fn skip_after_hit(&mut self, hit: f64) {
         self.from = hit + SKIPPED * self.accuracy;
         self.inside = None;
-        self.set_piece_length();
+        self.reset_piece_length();
     }
 
     fn has_whole_piece(&self) -> bool {
         self.to - self.from > self.accuracy
     }
 
-    fn set_piece_length(&mut self) {
+    fn reset_piece_length(&mut self) {
         self.piece = self.to - self.from;
         // (An infinite piece is never short enough.)
         while self.piece.is_finite() && self.piece >= self.accuracy {

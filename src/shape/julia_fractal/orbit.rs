@@ -224,9 +224,9 @@ impl Rule {
         let mut e = [DeviationBounds::exact(f64::INFINITY); N];
         for squares in trail.iter().rev() {
             let gap = (escape_radius - mean_of_squared_lengths(*squares).sqrt()).max(0.0);
-            e = from_fn(|i| self.deviation_before(squares[i], e[i]).min(gap));
+            e = from_fn(|i| self.deviation_before(squares[i], e[i]).capped_at(gap));
         }
-        least_deviation(&e)
+        min_of_lower_bounds(&e)
     }
 
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they escape in one of
@@ -237,10 +237,10 @@ impl Rule {
             e = from_fn(|i| self.deviation_before(squares[i], e[i]));
             if mean_of_squared_lengths(*squares) > escape_radius * escape_radius {
                 let gap = mean_of_squared_lengths(*squares).sqrt() - escape_radius;
-                e = if gap > least_deviation(&e) { [DeviationBounds::exact(gap); N] } else { e };
+                e = if gap > min_of_lower_bounds(&e) { [DeviationBounds::exact(gap); N] } else { e };
             }
         }
-        least_deviation(&e)
+        min_of_lower_bounds(&e)
     }
 }
 
@@ -257,12 +257,12 @@ impl DeviationBounds {
         Self { least: e, most: e }
     }
 
-    fn min(self, e: f64) -> Self {
+    fn capped_at(self, e: f64) -> Self {
         Self { least: self.least.min(e), most: self.most.min(e) }
     }
 }
 
-fn least_deviation<const N: usize>(e: &[DeviationBounds; N]) -> f64 {
+fn min_of_lower_bounds<const N: usize>(e: &[DeviationBounds; N]) -> f64 {
     e.iter().fold(f64::INFINITY, |least, stray| least.min(stray.least))
 }
 

@@ -405,7 +405,7 @@ fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Trip
                 if given == 3 || faces.is_empty() {
                     return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three");
                 }
-                let slot = texture_slot(number, textures, span)?;
+                let slot = checked_texture_slot(number, textures, span)?;
                 painted.resize(faces.len(), [0; 3]);
                 if let Some(texture_weights) = painted.last_mut() {
                     // One texture applies to all corners, until another follows.
@@ -450,7 +450,7 @@ fn mark_textures_per_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
 
-fn texture_slot(number: f64, textures: &[u32], span: Span) -> Result<u32> {
+fn checked_texture_slot(number: f64, textures: &[u32], span: Span) -> Result<u32> {
     match textures.get(number as usize).filter(|_| number >= 0.0) {
         Some(slot) => Ok(*slot),
         None => Err(index_error("texture", number, "texture_list", textures.len(), span).into()),

@@ -40,14 +40,14 @@ struct Patch {
 }
 
 impl Patch {
-    fn new(of: &Parametric, from: DVec2, to: DVec2, room: &mut Vec<Slope>) -> Self {
+    fn new(of: &Parametric, from: DVec2, to: DVec2, scratch: &mut Vec<Slope>) -> Self {
         let uv = (from + to) * 0.5;
         let middle = of.point_at(uv);
         let half = (to - from) * 0.5;
         let (mut bounds, mut by, mut off) = (Aabb::INFINITE, [DVec3::ZERO; 2], [DVec3::ZERO; 2]);
         let wanted = Aabb { min: from.extend(0.0), max: to.extend(0.0) };
         for (axis, function) in of.functions.iter().enumerate() {
-            let slope = function.value_and_slope_in(&wanted, room);
+            let slope = function.value_and_slope_in(&wanted, scratch);
             let mut reach = 0.0;
             for side in 0..2 {
                 let unit = [DVec3::X, DVec3::Y][side];
@@ -103,11 +103,11 @@ enum Verdict {
 impl Patches {
     /// Subdivides a parametric surface into patches within its container.
     pub fn new(of: &Parametric) -> Self {
-        let mut room = vec![];
+        let mut scratch = vec![];
         let container = of.container.bounds();
         let largest = container.size().max_element() / PARTS;
         let mut patches = vec![];
-        let mut open = vec![(Patch::new(of, of.from, of.to, &mut room), 0)];
+        let mut open = vec![(Patch::new(of, of.from, of.to, &mut scratch), 0)];
         while let Some((patch, depth)) = open.pop().filter(|_| !cancel::is_cancelled()) {
             if patch.bounds.intersection(container).is_empty() || patch.middle.is_nan() && depth == DEPTH {
                 continue;
@@ -117,7 +117,7 @@ impl Patches {
                 patches.push(Patch { bounds: patch.bounds.intersection(container), ..patch });
                 continue;
             }
-            open.extend(patch.halve(of, &mut room).map(|half| (half, depth + 1)));
+            open.extend(patch.halve(of, &mut scratch).map(|half| (half, depth + 1)));
         }
         patches.retain(|patch| bvh::fits_single_precision(&patch.bounds));
         let (bvh, order) = Bvh::build(patches.iter().map(|patch| patch.bounds));
@@ -139,9 +139,9 @@ impl Patches {
         let across = [first, ray.dir.cross(first).normalize_or_zero()];
         let smallest = (0.25 * of.accuracy).max(5e-5 * of.container.bounds().size().max_element());
         let line = Line { of, ray, across, range, far: Cell::new(range.max), nearest: only_nearer, smallest };
-        let mut room = vec![];
+        let mut scratch = vec![];
         self.bvh.traverse(ray, range, |i, _| {
-            line.visit_hits(&self.patches[i], MORE, &mut room, found);
+            line.visit_hits(&self.patches[i], MORE, &mut scratch, found);
             ControlFlow::Continue(line.far.get())
         });
     }
@@ -156,7 +156,7 @@ impl Patch {
 }
 
 impl Line<'_> {
-    fn visit_hits(&self, patch: &Patch, depth: u32, room: &mut Vec<Slope>, found: &mut dyn FnMut(f64, DVec2)) {
+    fn visit_hits(&self, patch: &Patch, depth: u32, scratch: &mut Vec<Slope>, found: &mut dyn FnMut(f64, DVec2)) {
         if patch.bounds.slabs(self.ray, Range { max: self.far.get(), ..self.range }).is_none() {
             return;
         }
@@ -168,8 +168,8 @@ impl Line<'_> {
             }
             Verdict::Open if cancel::is_cancelled() => {}
             Verdict::Open => {
-                for half in patch.halve(self.of, room) {
-                    self.visit_hits(&half, depth - 1, room, found);
+                for half in patch.halve(self.of, scratch) {
+                    self.visit_hits(&half, depth - 1, scratch, found);
                 }
             }
         }

@@ -105,7 +105,7 @@ impl Frustum {
 
     /// Returns a ray in the frustum's frame, relative to its point nearest to the centre, so that a distant eye costs
     /// no digits: `t` of that point, the point, and the direction.
-    fn nearest_t_point_and_direction(&self, ray: &Ray) -> (f64, AxisCoordinates, AxisCoordinates) {
+    fn t_point_direction_near_center(&self, ray: &Ray) -> (f64, AxisCoordinates, AxisCoordinates) {
         let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
         (shift, self.to_axis_frame(ray.at(shift) - self.base), self.to_axis_frame(ray.dir))
     }
@@ -137,7 +137,7 @@ impl Frustum {
             }
             return;
         }
-        let (shift, o, v) = self.nearest_t_point_and_direction(ray);
+        let (shift, o, v) = self.t_point_direction_near_center(ray);
         // Roots of |across(s)|² = r(w(s))²
         let dr = self.cap_radius - self.base_radius;
         let (r, slope) = (self.radius_at(o.w), v.w * dr);
@@ -232,7 +232,7 @@ impl Frustum {
     /// Interval of a line inside a closed cylinder: the intersection of the interval between the ends and the interval
     /// within the wall.
     fn cylinder_interval(&self, ray: &Ray) -> Crossing {
-        let (shift, o, v) = self.nearest_t_point_and_direction(ray);
+        let (shift, o, v) = self.t_point_direction_near_center(ray);
         let r2 = self.base_radius * self.base_radius;
         let mut ends = [End::on_single_piece(f64::NEG_INFINITY), End::on_single_piece(f64::INFINITY)];
         let a = v.across_squared();

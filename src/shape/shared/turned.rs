@@ -77,7 +77,7 @@ impl Walls {
                 }
             };
             if v.y.abs() < LEVEL {
-                piece.visit_level_hits(&line, &mut visit)
+                piece.visit_level_ray_hits(&line, &mut visit)
             } else {
                 piece.visit_hits(&line, &mut visit)
             }
@@ -109,9 +109,9 @@ fn min_squared_axis_distance(o: DVec3, v: DVec3) -> f64 {
 }
 
 impl Piece {
-    /// Calls `visit` with the hits on one segment of the walls. The ray is at height y where s = (y - o_y)/v_y, and
+    /// Calls `visit_s_and_position` with the hits on one segment of the walls. The ray is at height y where s = (y - o_y)/v_y, and
     /// there |(o + s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
-    fn visit_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
+    fn visit_hits(&self, line: &Line, visit_s_and_position: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let (k, m, q) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z);
         let by_height = 2.0 * (v.y * m - k * o.y);
@@ -122,29 +122,29 @@ impl Piece {
         bernstein_roots(&b, &mut |at| {
             let s = (evaluate_bernstein(&self.height, at) - o.y) / v.y;
             if v.y.abs() > STEEP {
-                visit(s, at);
+                visit_s_and_position(s, at);
                 return false;
             }
             // Select the nearer of the two points at this distance from the axis.
             let c = q - evaluate_bernstein(&self.radius2, at);
             if let Some((s1, s2)) = solve_quadratic_with_discriminant(k, m, c, (m * m - k * c).max(0.0)) {
-                visit(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
+                visit_s_and_position(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
             }
             false
         });
     }
 
-    /// Calls `visit` with the hits of a level ray: where the segment has the ray's height, two points of the ray have
+    /// Calls `visit_s_and_position` with the hits of a level ray: where the segment has the ray's height, two points of the ray have
     /// its radius.
-    fn visit_level_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
+    fn visit_level_ray_hits(&self, line: &Line, visit_s_and_position: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let b: SmallVec<[f64; 8]> = self.height.iter().map(|y| y - o.y).collect();
         bernstein_roots(&b, &mut |at| {
             let (k, m) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z);
             let c = o.x * o.x + o.z * o.z - evaluate_bernstein(&self.radius2, at);
             if let Some((s1, s2)) = solve_quadratic_with_discriminant(k, m, c, m * m - k * c) {
-                visit(s1, at);
-                visit(s2, at);
+                visit_s_and_position(s1, at);
+                visit_s_and_position(s2, at);
             }
             false
         });

@@ -67,7 +67,7 @@ impl<const N: usize> Scaled<N> {
         Scaled(out)
     }
 
-    fn minus(mut self, other: Self, factor: f64) -> Self {
+    fn minus_multiple(mut self, other: Self, factor: f64) -> Self {
         self.0.iter_mut().zip(other.0).for_each(|(x, y)| *x -= factor * y);
         self
     }
@@ -147,7 +147,7 @@ impl Piece {
         };
         let ways: [DVec3; N] = std::array::from_fn(|k| offset_from_center(self.centers[k]));
         let radius2 = square(&|k| self.radii[k]);
-        (0..3).fold(radius2, |sum, axis| sum.minus(square(&|k| ways[k][axis]), 1.0))
+        (0..3).fold(radius2, |sum, axis| sum.minus_multiple(square(&|k| ways[k][axis]), 1.0))
     }
 
     /// Calls `visit` with the intervals of a line that the spheres of the piece cover, in any order; intervals can
@@ -187,7 +187,7 @@ impl Piece {
         let along: [f64; N] = std::array::from_fn(|k| (self.centers[k] - o).dot(line.v));
         let (speed, bend): ([f64; B], [f64; S]) = (bernstein_derivative(&along), bernstein_derivative(&delta));
         let (b1, d1) = (Scaled::new(&speed), Scaled::new(&bend));
-        let extremes = d1.times::<S, Q>(&d1).minus(b1.times::<B, B2>(&b1).times::<D, Q>(&scaled), 4.0);
+        let extremes = d1.times::<S, Q>(&d1).minus_multiple(b1.times::<B, B2>(&b1).times::<D, Q>(&scaled), 4.0);
         let mut places: SmallVec<[f64; 16]> = SmallVec::new();
         let mut keep = |t: f64| {
             places.push(t);

@@ -112,9 +112,9 @@ impl<'n> Builder<'n> {
 
     /// Processes the commas between two elements: each one sets the flag of the element before, or becomes an element
     /// of its own.
-    fn attach_or_append_commas(&self, token_range: Range<usize>, first_in_out: usize, out: &mut Vec<Element>) {
+    fn attach_or_append_commas(&self, token_range: Range<usize>, first_index_in_out: usize, out: &mut Vec<Element>) {
         for i in token_range.filter(|i| self.classes[*i] == class::COMMA) {
-            let behind = out.len() > first_in_out;
+            let behind = out.len() > first_index_in_out;
             match out.last_mut() {
                 // What a directive inserts comes before the comma.
                 Some(Element { comma: true, .. } | Element { kind: ElementKind::Comma, .. }) if behind => {}
@@ -201,14 +201,14 @@ impl<'n> Builder<'n> {
         self.tokens_as_elements(at..own.end, first, out);
     }
 
-    fn tokens_as_elements(&self, token_range: Range<usize>, first_in_out: usize, out: &mut Vec<Element>) {
+    fn tokens_as_elements(&self, token_range: Range<usize>, first_index_in_out: usize, out: &mut Vec<Element>) {
         for i in token_range {
             let (class, token) = (self.classes[i], self.tokens[i]);
             let (span, text) = (self.token_span(token), self.token_text(token));
             let operand = |kind| ElementKind::Expr(Box::new(Expr { span, calls: false, kind }));
             let kind = match class {
                 class::COMMA => {
-                    self.attach_or_append_commas(i..i + 1, first_in_out, out);
+                    self.attach_or_append_commas(i..i + 1, first_index_in_out, out);
                     continue;
                 }
                 class::KEYWORD | class::BUILTIN | class::FUNCTION | class::DEPRECATED => {

@@ -29,7 +29,7 @@ impl Outline {
         for i in 0..builder.outline.tokens.len() {
             builder.visit_token(i);
         }
-        builder.leave_unclosed(0, text.len());
+        builder.leave_unclosed_beyond_depth(0, text.len());
         builder.outline
     }
 
@@ -79,7 +79,7 @@ impl Builder {
             class::PAREN_END => self.close(b'(', i),
             class::BRACKET_END => self.close(b'[', i),
             class::VECTOR_END => self.close(b'<', i),
-            class if class::is_directive(class) => self.directive(class, i),
+            class if class::is_directive(class) => self.visit_directive(class, i),
             _ if i >= self.first_use && self.is_name(i) => self.add_use(i, true),
             _ => {}
         }
@@ -119,34 +119,34 @@ impl Builder {
         let is_own = |&pair: &usize| pairs[pair].bracket == bracket && tokens[pairs[pair].opener].class != class::LOOSE;
         let Some(depth) = self.open.iter().rposition(is_own) else { return };
         let own = self.open[depth];
-        self.leave_unclosed(depth, self.range(closer_token).end);
+        self.leave_unclosed_beyond_depth(depth, self.range(closer_token).end);
         self.outline.pairs[own].closer = Some(closer_token);
         self.outline.tokens[closer_token].pair = Some(own as u32);
     }
 
     /// Ends all open pairs but the outermost `depth` ones, without a closing token.
-    fn leave_unclosed(&mut self, depth: usize, end_byte: usize) {
+    fn leave_unclosed_beyond_depth(&mut self, depth: usize, end_byte: usize) {
         self.open.drain(depth..).for_each(|pair| self.outline.pairs[pair].range.end = end_byte);
     }
 
-    fn directive(&mut self, class: u8, i: usize) {
+    fn visit_directive(&mut self, class: u8, i: usize) {
         if class::opens_body(class) {
             let (word, end) = (self.outline.directive_word(&self.outline.tokens[i]), self.range(i).end);
             self.open(end - word.len()..end, i);
         }
         match class {
-            class::DECLARE => self.assignment(i),
-            class::MACRO => self.definition(i),
+            class::DECLARE => self.visit_declare_directive(i),
+            class::MACRO => self.visit_macro_directive(i),
             class::FOR if self.is_name(i + 2) => self.declare(i + 2, DeclarationKind::Counter, i),
             class::ELSE | class::ELSEIF | class::CASE | class::RANGE => self.next_branch(i),
-            class::END => self.end(i),
+            class::END => self.visit_end_directive(i),
             class::PLAIN => self.visit_plain_directive(i),
             _ => {}
         }
     }
 
     /// Reads `#declare A =`, `#local A =` or `#declare A[0] =`, up to the name.
-    fn assignment(&mut self, i: usize) {
+    fn visit_declare_directive(&mut self, i: usize) {
         let mut name = i + 1;
         if self.outline.class(name) == class::DEPRECATED {
             // `#declare deprecated once "message" A =`
@@ -162,7 +162,7 @@ impl Builder {
     }
 
     /// Reads `#macro A(B, optional C)`, up to the closing parenthesis.
-    fn definition(&mut self, i: usize) {
+    fn visit_macro_directive(&mut self, i: usize) {
         let is_named = self.is_name(i + 1);
         if is_named {
             self.declare(i + 1, DeclarationKind::Macro, i);
@@ -187,11 +187,11 @@ impl Builder {
     /// Begins the next branch of the innermost directive: brackets of the branch before remain unclosed.
     fn next_branch(&mut self, i: usize) {
         let body = self.open.iter().rposition(|&pair| self.outline.pairs[pair].bracket == b'#');
-        self.leave_unclosed(body.map_or(0, |body| body + 1), self.range(i).end);
+        self.leave_unclosed_beyond_depth(body.map_or(0, |body| body + 1), self.range(i).end);
         self.set_pair(i);
     }
 
-    fn end(&mut self, i: usize) {
+    fn visit_end_directive(&mut self, i: usize) {
         self.close(b'#', i);
         let Outline { pairs, declarations, .. } = &mut self.outline;
         if let Some(own) = self.macros.pop_if(|own| pairs[*own].closer == Some(i)) {

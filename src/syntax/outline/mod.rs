@@ -179,19 +179,19 @@ impl Outline {
     /// Returns the index of the pair of the innermost macro around a byte offset.
     pub fn macro_pair_at(&self, offset: usize) -> Option<usize> {
         let last = self.pairs.partition_point(|pair| pair.range.start < offset).checked_sub(1);
-        let mut around = self.pairs_enclosing(last).filter(|&pair| offset < self.pairs[pair].range.end);
+        let mut around = self.pair_and_enclosing_pairs(last).filter(|&pair| offset < self.pairs[pair].range.end);
         around.find(|&pair| self.is_macro(&self.pairs[pair]))
     }
 
     /// Returns the index of the pair of the innermost macro, from the macro `scope` outwards, that declares a name as a
     /// local or parameter; `None` for a global name.
-    pub fn declaring_macro(&self, name: &str, scope: Option<usize>) -> Option<usize> {
+    pub fn declaring_macro_pair(&self, name: &str, scope: Option<usize>) -> Option<usize> {
         use DeclarationKind::{Counter, Local, Parameter};
         let owns = |pair: &usize| {
             let mut own = self.declarations.iter().filter(|d| d.scope == Some(*pair) && d.name == name);
             own.any(|d| matches!(d.kind, Local | Parameter | Counter))
         };
-        self.pairs_enclosing(scope).filter(|&pair| self.is_macro(&self.pairs[pair])).find(owns)
+        self.pair_and_enclosing_pairs(scope).filter(|&pair| self.is_macro(&self.pairs[pair])).find(owns)
     }
 
     /// Returns the names of the parameters of a macro. `definition` is the declaration of the macro's name.
@@ -217,7 +217,7 @@ impl Outline {
     }
 
     /// Returns the indices of a pair and of all pairs around it, the innermost first.
-    fn pairs_enclosing(&self, pair: Option<usize>) -> impl Iterator<Item = usize> {
+    fn pair_and_enclosing_pairs(&self, pair: Option<usize>) -> impl Iterator<Item = usize> {
         std::iter::successors(pair, |&inner| self.pairs[inner].outer)
     }
 }
@@ -253,7 +253,7 @@ impl Outline {
     /// does not.
     pub(super) fn pairs_around(&self, token: usize) -> impl Iterator<Item = &Pair> {
         let innermost = self.tokens.get(token).and_then(|token| token.pair);
-        self.pairs_enclosing(innermost.map(|pair| pair as usize)).map(|pair| &self.pairs[pair])
+        self.pair_and_enclosing_pairs(innermost.map(|pair| pair as usize)).map(|pair| &self.pairs[pair])
     }
 
     /// Returns the pair that a token opens.
@@ -355,7 +355,7 @@ mod tests {
         assert_eq!(uses(text), ["B2", "C0", "D-"]);
         let outline = outline(text);
         assert_eq!(
-            ["A", "B", "E", "D"].map(|name| outline.declaring_macro(name, Some(2))),
+            ["A", "B", "E", "D"].map(|name| outline.declaring_macro_pair(name, Some(2))),
             [None, Some(0), Some(0), None]
         );
         assert_eq!([0, 37, 45, 61].map(|offset| outline.macro_pair_at(offset)), [None, Some(2), Some(0), None]);

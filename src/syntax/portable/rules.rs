@@ -47,19 +47,19 @@ impl Check<'_> {
     /// Applies all rules of the lint to the token of the index `token`.
     pub(super) fn apply_rules(&mut self, token: usize) {
         match self.outline.class(token) {
-            class::COMMA => self.check_comma(token),
+            class::COMMA => self.report_comma_if_refused(token),
             class::SEMICOLON => self.report_semicolon_if_refused(token),
-            class::VECTOR | class::NUMBER => self.check_bare_value(token),
+            class::VECTOR | class::NUMBER => self.report_color_without_keyword(token),
             class::DECLARE => self.check_declaration(token),
-            class::NAME => self.check_name(token),
-            class::KEYWORD | class::HEAD if self.outline.word(token) == "array" => self.check_array_size(token),
-            class::STRING if token > 0 && self.outline.word(token - 1) == "ttf" => self.check_font(token),
-            class::KEYWORD => self.check_durer_word(token),
+            class::NAME => self.report_misused_declared_name(token),
+            class::KEYWORD | class::HEAD if self.outline.word(token) == "array" => self.report_unsized_array(token),
+            class::STRING if token > 0 && self.outline.word(token - 1) == "ttf" => self.report_font_family_name(token),
+            class::KEYWORD => self.report_durer_only_word(token),
             _ => {}
         }
     }
 
-    fn check_comma(&mut self, token: usize) {
+    fn report_comma_if_refused(&mut self, token: usize) {
         let mut brackets = self.brackets_around(token);
         let Some(open) = brackets.next() else {
             // Between statements; the context of a macro's body is unknown.
@@ -192,7 +192,7 @@ impl Check<'_> {
     }
 
     /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
-    fn check_bare_value(&mut self, token: usize) {
+    fn report_color_without_keyword(&mut self, token: usize) {
         let is_vector = self.outline.class(token) == class::VECTOR;
         if self.is_first_in_pigment(token) || is_vector && self.is_map_entry(token) {
             let what = if is_vector { "vector" } else { "number" };
@@ -217,7 +217,7 @@ impl Check<'_> {
     }
 
     /// Checks for an array without a size, `array { 1, 2 }`.
-    fn check_array_size(&mut self, token: usize) {
+    fn report_unsized_array(&mut self, token: usize) {
         if self.outline.class(token + 1) == class::BRACE {
             self.report(token, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
         }
@@ -257,14 +257,14 @@ impl Check<'_> {
         }
     }
 
-    fn check_name(&mut self, token: usize) {
+    fn report_misused_declared_name(&mut self, token: usize) {
         let next = self.outline.class(token + 1);
         let calls = matches!(next, class::PAREN | class::BRACKET | class::EQUAL | class::DOT);
         let before = self.outline.class_before(token);
         let said =
             matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
         if calls || said || is_directive(before) {
-            return self.check_durer_word(token);
+            return self.report_durer_only_word(token);
         }
         let is_color = self.is_first_in_pigment(token) || self.is_map_entry(token);
         let block = self.enclosing_block_word(token).unwrap_or("");
@@ -280,12 +280,12 @@ impl Check<'_> {
                 let message = format!("`{name}` is a vector, and POV-Ray accepts no vector for a colour here");
                 self.report(token, message, format!("write `rgb {name}`"));
             }
-            _ => self.check_durer_word(token),
+            _ => self.report_durer_only_word(token),
         }
     }
 
     /// Reports a word that only durer has.
-    fn check_durer_word(&mut self, token: usize) {
+    fn report_durer_only_word(&mut self, token: usize) {
         let (Some(block), Some(open)) = (self.enclosing_block_word(token), self.brackets_around(token).next()) else {
             return;
         };
@@ -305,7 +305,7 @@ impl Check<'_> {
     }
 
     /// Reports a font that is given by its family name. (The name of a font file usually has no blanks, or an ending.)
-    fn check_font(&mut self, token: usize) {
+    fn report_font_family_name(&mut self, token: usize) {
         if self.outline.word(token).contains(' ') && !self.outline.word(token).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
             self.report(token, "only durer finds fonts by the names of their families".into(), help);

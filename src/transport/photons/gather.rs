@@ -54,7 +54,7 @@ impl Tracer<'_> {
         }
         let both_sides = shading.part.double_illuminate;
         let found = &self.found_photons;
-        let sum = shading.sum(|shaded| {
+        let sum = shading.weighted_layer_sum(|shaded| {
             let mut sum = Rgb::ZERO;
             for (_, index) in found {
                 let photon = photons.surface.power(*index);

@@ -8,7 +8,7 @@ use glam::Vec4;
 /// Maximum number of photons of a leaf of the tree.
 const LEAF: usize = 16;
 
-/// Maximum number of photons around which [`PhotonMap::mean_radius`] measures the distance of neighbours.
+/// Maximum number of photons around which [`PhotonMap::mean_radius_holding_count`] measures the distance of neighbours.
 const RADIUS_SAMPLES: usize = 256;
 
 /// A stored photon, in single precision: maps are large.
@@ -79,7 +79,7 @@ impl PhotonMap {
         photons.retain(|photon| photon.position.iter().chain(&photon.flux).all(|x| x.is_finite()));
         photons.truncate(u32::MAX as usize);
         let mut axes = vec![0; photons.len()];
-        divide(&mut photons, &mut axes);
+        sort_into_tree_order(&mut photons, &mut axes);
         Self::from_parts(photons, axes)
     }
 
@@ -137,7 +137,7 @@ impl PhotonMap {
     }
 
     /// Returns the mean radius of a ball around a photon that contains `count` photons, the one at the centre included.
-    pub fn mean_radius(&self, count: usize) -> f64 {
+    pub fn mean_radius_holding_count(&self, count: usize) -> f64 {
         let n = self.len().min(RADIUS_SAMPLES);
         let (mut sum, mut found) = (0.0, Found::new());
         for i in 0..n {
@@ -150,7 +150,7 @@ impl PhotonMap {
 }
 
 /// Sorts photons into the order of the tree, and stores the axes of the divisions.
-fn divide(photons: &mut [Photon], axes: &mut [u8]) {
+fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
     if photons.len() <= LEAF || cancel::is_cancelled() {
         return;
     }
@@ -169,8 +169,8 @@ fn divide(photons: &mut [Photon], axes: &mut [u8]) {
     axes[middle] = axis as u8;
     let (below, above) = photons.split_at_mut(middle);
     let (axes_below, axes_above) = axes.split_at_mut(middle);
-    divide(below, axes_below);
-    divide(&mut above[1..], &mut axes_above[1..]);
+    sort_into_tree_order(below, axes_below);
+    sort_into_tree_order(&mut above[1..], &mut axes_above[1..]);
 }
 
 /// A search for the photons nearest to a point.
@@ -233,15 +233,15 @@ impl Search<'_> {
     }
 
     /// Adds a photon that is nearer than the limit.
-    fn add(&mut self, squared: f32, i: u32) {
+    fn add(&mut self, squared_distance: f32, i: u32) {
         if self.found.len() < self.count {
-            self.found.push((squared, i));
+            self.found.push((squared_distance, i));
             if self.found.len() == self.count {
                 (0..self.count / 2).rev().for_each(|i| sift_down(self.found, i));
                 self.limit = self.found[0].0;
             }
         } else {
-            self.found[0] = (squared, i);
+            self.found[0] = (squared_distance, i);
             sift_down(self.found, 0);
             self.limit = self.found[0].0;
         }

@@ -53,7 +53,7 @@ impl Photons {
     fn new(surface: PhotonMap, media: PhotonMap, settings: &PhotonMapSettings) -> Self {
         let gather = settings.gather.map(|n| n as usize);
         let radius = |map: &PhotonMap, i: usize| match settings.radius[i] {
-            0.0 => RADIUS_FACTOR * map.mean_radius(gather[1]) * settings.radius_factor[i],
+            0.0 => RADIUS_FACTOR * map.mean_radius_holding_count(gather[1]) * settings.radius_factor[i],
             stated => stated * settings.radius_factor[i],
         };
         Self {

@@ -1,7 +1,7 @@
 //! The path of a photon from a light over a target to the surfaces and media that store the photon.
 
 use super::super::context::interiors_around;
-use super::super::interface::{Interiors, copy_of};
+use super::super::interface::{Interiors, copy_interiors};
 use super::super::radiance::Radiance;
 use super::super::ray_state::{MAX_SURFACES, RayState};
 use super::super::scatter::Boundary;
@@ -53,7 +53,7 @@ impl<'w> Tracer<'w> {
                 if self.is_stopped() {
                     return None;
                 }
-                self.shoot(&beam, &source.emit(number, i), copy_of(&inside), &mut ring);
+                self.shoot(&beam, &source.emit(number, i), copy_interiors(&inside), &mut ring);
             }
             shard.rings.push(ring);
         }
@@ -134,7 +134,7 @@ impl<'w> Tracer<'w> {
             return;
         }
         let attenuation = match world.colors_light && interface.leaves_interior() {
-            true => self.attenuation(shading.part.interior, hit.t()),
+            true => self.interior_transmittance(shading.part.interior, hit.t()),
             false => Rgb::ONE,
         };
         let is_total = shading.materials.iter().any(|m| interface.refract(ray.dir, m.normal).is_none());

@@ -113,7 +113,7 @@ impl RadiosityCache {
         }
         let number = self.samples.len() as u32;
         let reach = (sample.radius * self.reach).min(MAX_REACH);
-        let grid = grid_exponent(2.0 * reach);
+        let grid = cell_width_exponent(2.0 * reach);
         let depth = usize::from(sample.depth);
         if self.grids.len() <= depth {
             self.grids.resize(depth + 1, vec![]);
@@ -173,7 +173,7 @@ fn weight(sample: &Sample, query: &Query, inverse_error_bound: f64) -> Option<f6
 
 /// Returns the exponent of the least power of 2 that is greater than `width`, within limits: the cell width of the grid
 /// for a sample.
-fn grid_exponent(width: f64) -> i16 {
+fn cell_width_exponent(width: f64) -> i16 {
     let exponent = ((width.to_bits() >> 52) & 0x7ff) as i16 - 1023;
     exponent.clamp(-300, 1000) + 1
 }

@@ -39,9 +39,9 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let enters = context.world.subsurface.as_ref().is_some_and(|settings| settings.radiosity);
-        let reflectance = |shaded: &ShadedLayer, side: f64| match enters && shaded.is_translucent {
+        let gathered_light_factor = |shaded: &ShadedLayer, side: f64| match enters && shaded.is_translucent {
             true => Rgb::ZERO,
-            false => reflectance(shaded, side),
+            false => gathered_light_factor(shaded, side),
         };
         let mut sum = Rgb::ZERO;
         for side in [1.0, -1.0] {
@@ -56,12 +56,12 @@ impl Tracer<'_> {
             if radiosity.settings.normal {
                 for material in &shading.materials {
                     for shaded in shading.layers_of(material) {
-                        let factor = material.share * reflectance(shaded, side);
+                        let factor = material.share * gathered_light_factor(shaded, side);
                         sum += self.indirect_light_at(radiosity, at(shaded.normal * side), factor);
                     }
                 }
             } else {
-                let factor = shading.sum(|shaded| reflectance(shaded, side));
+                let factor = shading.weighted_layer_sum(|shaded| gathered_light_factor(shaded, side));
                 sum += self.indirect_light_at(radiosity, at(smooth), factor);
             }
         }
@@ -144,7 +144,7 @@ impl Tracer<'_> {
         let n = count as f64;
         let eye = at.point.distance(radiosity.eye);
         let harmonic = n / inverse_distances;
-        let [minimum, maximum] = settings.relative_reuse_radius_limits();
+        let [minimum, maximum] = settings.reuse_radius_per_distance();
         let radius = harmonic.clamp(minimum * eye, maximum * eye);
         // (A camera on the surface, and a distance that is not a number, leave no radius.)
         let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(maximum * 1e-6) };
@@ -175,7 +175,7 @@ impl RayState {
 }
 
 /// Returns the factor of gathered light in the light that a layer sends, for light from the front (`side` = 1) or from behind.
-fn reflectance(shaded: &ShadedLayer, side: f64) -> Rgb {
+fn gathered_light_factor(shaded: &ShadedLayer, side: f64) -> Rgb {
     let finish = &shaded.layer.finish;
     let diffuse = if side > 0.0 { finish.diffuse } else { finish.diffuse_back };
     if diffuse == 0.0 {

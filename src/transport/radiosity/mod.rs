@@ -100,11 +100,11 @@ impl<'w> RadiosityState<'w> {
     }
 
     /// Returns the query for the radiosity samples near a point, with the maximum error of the present pass.
-    fn query(&self, point: DVec3, normal: DVec3, depth: u8) -> Query {
+    fn query(&self, point: DVec3, normal: DVec3, bounces: u8) -> Query {
         // Errors after the first bounce average out over the rays of a sample.
-        let is_tightened = self.pass == RadiosityPass::Collect && depth == 0;
+        let is_tightened = self.pass == RadiosityPass::Collect && bounces == 0;
         let factor = if is_tightened { self.settings.low_error_factor.min(1.0) } else { 1.0 };
-        Query { point, normal, depth, error_bound: self.settings.error_bound * factor }
+        Query { point, normal, depth: bounces, error_bound: self.settings.error_bound * factor }
     }
 
     /// Returns the number of radiosity samples near a point below which a new one is computed in the present pass.

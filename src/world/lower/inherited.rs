@@ -64,8 +64,8 @@ fn copy_ior_and_caustics(object: &Object, interior: &mut Option<Arc<Interior>>) 
 
 /// Returns the value of `hollow` for interiors whose blocks do not state it: that of the last shape (quirk:
 /// `hollow_of_last_part`); `None` without any such shape.
-pub fn hollow_of_last_shape(object: &Object, inherited: bool) -> Option<bool> {
-    let hollow = object.uncommon.flags.hollow || inherited;
+pub fn hollow_of_last_shape(object: &Object, inherited_hollow: bool) -> Option<bool> {
+    let hollow = object.uncommon.flags.hollow || inherited_hollow;
     match &object.kind {
         ObjectKind::Shape(_) => Some(hollow),
         ObjectKind::Light(_) => None,
@@ -88,6 +88,6 @@ pub fn combined_flags(object: &Object, inherited: Flags) -> Flags {
         inverse: own.inverse,
         double_illuminate: own.double_illuminate || inherited.double_illuminate,
         cutaway_textures: own.cutaway_textures || inherited.cutaway_textures,
-        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.inherits_uv_mapping()),
+        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.takes_group_uv_mapping()),
     }
 }

@@ -59,6 +59,6 @@ impl SolidNode {
         let parts = |parts: &[SolidNode]| parts.iter().all(|part| self.surrounds(part));
         holds(other.bounds())
             || matches!(&other.kind, SolidKind::Union(c) | SolidKind::Merge(c) if parts(c))
-            || matches!(&other.kind, SolidKind::Intersection(c) if c.iter().any(|c| !c.is_unbounded() && self.surrounds(c)))
+            || matches!(&other.kind, SolidKind::Intersection(c) if c.iter().any(|c| !c.inside_exceeds_bounds() && self.surrounds(c)))
     }
 }

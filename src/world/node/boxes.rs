@@ -33,14 +33,14 @@ impl SolidNode {
     }
 
     /// True if inside points exist outside of the box [`SolidNode::bounds`].
-    pub(in crate::world) fn is_unbounded(&self) -> bool {
+    pub(in crate::world) fn inside_exceeds_bounds(&self) -> bool {
         let Boxes { surface, solid } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
     }
 
     /// Returns the box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box
     /// of its shapes, before they are inverted (quirk: `camera_inside_box`).
-    pub(in crate::world) fn camera_bounds(&self) -> Aabb {
+    pub(in crate::world) fn bounds_for_camera_inside(&self) -> Aabb {
         match &self.kind {
             SolidKind::Leaf(leaf)
                 if leaf.shape.solid_bounds().is_some() || !bvh::fits_single_precision(&self.bounds()) =>
@@ -49,11 +49,11 @@ impl SolidNode {
             }
             SolidKind::Leaf(leaf) => leaf.shape.pov_bounds(&leaf.transform()),
             SolidKind::Union(c) | SolidKind::Merge(c) => {
-                c.iter().map(Self::camera_bounds).fold(Aabb::EMPTY, Aabb::union)
+                c.iter().map(Self::bounds_for_camera_inside).fold(Aabb::EMPTY, Aabb::union)
             }
             SolidKind::Intersection(c) => {
                 let upright = c.iter().filter(|c| !matches!(&c.kind, SolidKind::Leaf(leaf) if leaf.inverse));
-                upright.map(Self::camera_bounds).fold(Aabb::INFINITE, Aabb::intersection)
+                upright.map(Self::bounds_for_camera_inside).fold(Aabb::INFINITE, Aabb::intersection)
             }
         }
     }

@@ -262,7 +262,7 @@ impl SolidNode {
     }
 
     /// Calls `visit` with every hit on any shape of the solid, even if the hit is not on the solid's surface.
-    pub(super) fn visit_shape_hits<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
+    pub(super) fn visit_all_shape_hits<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
         match &self.kind {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
@@ -270,7 +270,7 @@ impl SolidNode {
                 hits.into_iter().for_each(|hit| visit(Intersection::new(hit, leaf, self.object)));
             }
             _ => self.each_child_on_ray(ray, range, |_, child, range| {
-                child.visit_shape_hits(ray, range, visit);
+                child.visit_all_shape_hits(ray, range, visit);
                 range
             }),
         }
@@ -405,7 +405,7 @@ impl SolidNode {
         let Some((min, max)) = self.distances_through_box(ray, range) else { return };
         let mut range = Range { min, max };
         match self.child_bvh() {
-            Some(child_bvh) => child_bvh.along(ray, range, |i, range| visit(i, &children[i], range)),
+            Some(child_bvh) => child_bvh.visit_children_on_ray(ray, range, |i, range| visit(i, &children[i], range)),
             None => {
                 for (i, child) in children.iter().enumerate() {
                     range = visit(i, child, range);
@@ -424,8 +424,9 @@ impl SolidNode {
         let fine = |i: usize| i == but || condition(i, &children[i]);
         match self.child_bvh() {
             Some(child_bvh) => {
-                let flow =
-                    child_bvh.around(p, |i| if fine(i) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
+                let flow = child_bvh.visit_children_around(p, |i| {
+                    if fine(i) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+                });
                 flow.is_continue()
             }
             None => (0..children.len()).all(fine),
@@ -456,8 +457,10 @@ impl SolidNode {
     /// Returns the part of the range in the box and in those clipping solids that know their interval.
     fn range_in_box_and_clips(&self, ray: &Ray, range: Range) -> Option<Range> {
         let (min, max) = self.distances_through_box(ray, range)?;
-        let within =
-            self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::range_inside(c, ray, range));
+        let within = self
+            .clip()
+            .iter()
+            .fold(Range { min, max }, |range, c| convex_interval::range_possibly_inside(c, ray, range));
         (!within.is_empty()).then_some(within)
     }
 

@@ -1,7 +1,7 @@
 //! Mistakes in directives, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_letter, split_leading_name, value_text, without_comment};
+use super::source_line::{SourceLine, is_letter, split_leading_name, value_up_to_semicolon, without_comment};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns the word after the `#` at the fault, and the rest of the line.
@@ -38,7 +38,9 @@ pub(super) fn define_directive(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let (name, rest) = split_leading_name(rest.trim_start())?;
     let help = match rest.strip_prefix('(') {
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
-        None => format!("write `#declare {name} = {};`", value_text(rest.trim_start().trim_start_matches('='))),
+        None => {
+            format!("write `#declare {name} = {};`", value_up_to_semicolon(rest.trim_start().trim_start_matches('=')))
+        }
     };
     Some(CommonMistake::help(help).leaves_undeclared(name))
 }
@@ -61,7 +63,10 @@ pub(super) fn other_end_spelling(source: &SourceLine, d: &Diagnostic) -> Option<
 pub(super) fn assignment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = unknown_directive_and_rest(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
-    Some(CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value))).leaves_undeclared(name))
+    Some(
+        CommonMistake::help(format!("write `#declare {name} = {};`", value_up_to_semicolon(value)))
+            .leaves_undeclared(name),
+    )
 }
 
 /// Recognizes the mistake `# the red ball` for a comment.
@@ -69,8 +74,8 @@ pub(super) fn comment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<
     unknown_directive_and_rest(source, d).filter(|_| d.help.is_none())?;
     let text = source.rest_from_fault().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
-    let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
-    Some(CommonMistake::help(help).range(source.range_of(text)))
+    let help = format!("a comment begins with `//`: `// {}`", value_up_to_semicolon(comment));
+    Some(CommonMistake::help(help).range(source.file_range_of(text)))
 }
 
 /// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
@@ -125,7 +130,7 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
     let by = if step < 0 { ", -1" } else { "" };
     let habit = CommonMistake::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
-    let start = source.line_text_start();
+    let start = source.line_text_file_offset();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
     Some(habit.code(codes::SYNTAX).leaves_undeclared(counter))
@@ -135,7 +140,10 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
 pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let rest = source.line_without_comment().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
-    if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || source.at < source.range_of(typed).start {
+    if typed.starts_with('"')
+        || !rest.starts_with([' ', '\t', '<', '\''])
+        || source.at < source.file_range_of(typed).start
+    {
         return None;
     }
     let typed = typed.split_whitespace().next()?;
@@ -146,7 +154,7 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
         return None;
     }
     let habit = CommonMistake::help(format!("write `#include \"{name}\"`"));
-    let habit = habit.message("the name of a file is written in double quotes").range(source.range_of(typed));
+    let habit = habit.message("the name of a file is written in double quotes").range(source.file_range_of(typed));
     Some(CommonMistake { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
@@ -171,7 +179,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
 pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.line_without_comment();
     let (word, rest) = split_leading_name(statement)?;
-    if source.at != source.line_text_start() || d.code == codes::UNKNOWN_DIRECTIVE {
+    if source.at != source.line_text_file_offset() || d.code == codes::UNKNOWN_DIRECTIVE {
         return None;
     }
     let typed = rest.trim_start();
@@ -184,7 +192,7 @@ pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Opt
         }
         "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
         | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
-            let head = value_text(statement.split('{').next().unwrap_or_default());
+            let head = value_up_to_semicolon(statement.split('{').next().unwrap_or_default());
             let rest = if statement.contains('{') { " … #end" } else { "" };
             let help = format!("write `#{head}{rest}`");
             CommonMistake::help(help).message(format!("the directive `{word}` is missing its `#`"))

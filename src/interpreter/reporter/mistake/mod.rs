@@ -133,7 +133,7 @@ impl Reporter<'_> {
     }
 
     /// Completes the messages at the end of the run, and adds the number of errors that were not reported.
-    pub fn complete_diagnostics(&mut self) {
+    pub fn add_places_and_unreported(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
         self.diagnostics = all.into_iter().map(|d| self.with_all_places(d)).collect();
         let unreported = self.mistakes.unreported.len();

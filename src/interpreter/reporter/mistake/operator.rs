@@ -1,7 +1,9 @@
 //! Mistakes with operators, vectors and indices, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_letter, split_leading_name, split_trailing_name, value_text, without_comment};
+use super::source_line::{
+    SourceLine, is_letter, split_leading_name, split_trailing_name, value_up_to_semicolon, without_comment,
+};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
@@ -53,10 +55,12 @@ pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let habit = match word.to_ascii_lowercase().as_str() {
         "and" => CommonMistake::help(message("&", "the logical and")),
         "or" => CommonMistake::help(message("|", "the logical or")),
-        "not" => CommonMistake::help(format!("the logical not is `!`: `!{}`", operand(right))),
-        "mod" if !right.trim_start().starts_with('(') => {
-            CommonMistake::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
-        }
+        "not" => CommonMistake::help(format!("the logical not is `!`: `!{}`", leading_operand(right))),
+        "mod" if !right.trim_start().starts_with('(') => CommonMistake::help(format!(
+            "the remainder is `mod({}, {})`",
+            trailing_operand(left),
+            leading_operand(right)
+        )),
         "then" if left.ends_with(')') => {
             CommonMistake::help("the condition is followed by what depends on it, and then `#end`")
         }
@@ -70,7 +74,7 @@ pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
     tells.then(|| habit.code(codes::SYNTAX))
 }
 
-fn operand(text: &str) -> &str {
+fn leading_operand(text: &str) -> &str {
     let text = text.trim_start();
     &text[..text.find(|c: char| !is_letter(c) && c != '.').unwrap_or(text.len())]
 }
@@ -80,7 +84,7 @@ pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<C
     let value = source.rest_from_fault().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = split_trailing_name(source.before_fault().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
-    let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
+    let value = value_up_to_semicolon(value.split(['}', ';']).next().unwrap_or_default());
     let habit = CommonMistake::help(format!("a value directly follows its word: `{word} {value}`"));
     plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }

@@ -46,7 +46,7 @@ impl<'t> SourceLine<'t> {
     }
 
     /// Returns the offset of [`Self::line_without_comment`] in the source file.
-    pub(super) fn line_text_start(&self) -> usize {
+    pub(super) fn line_text_file_offset(&self) -> usize {
         let line = &self.text[self.line.clone()];
         self.line.start + line.len() - line.trim_start().len()
     }
@@ -57,7 +57,7 @@ impl<'t> SourceLine<'t> {
     }
 
     /// Returns the byte range of a part of the line, as offsets in the file.
-    pub(super) fn range_of(&self, part: &str) -> Range<usize> {
+    pub(super) fn file_range_of(&self, part: &str) -> Range<usize> {
         let start = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
         start..(start + part.len()).min(self.text.len())
     }
@@ -88,7 +88,7 @@ pub(super) fn split_trailing_name(text: &str) -> Option<(&str, &str)> {
 }
 
 /// Returns the text of a value up to the `;`, shortened for a help line.
-pub(super) fn value_text(text: &str) -> String {
+pub(super) fn value_up_to_semicolon(text: &str) -> String {
     let value = without_comment(text).trim_end_matches(';').trim();
     match value.char_indices().nth(50) {
         _ if value.is_empty() => "…".into(),

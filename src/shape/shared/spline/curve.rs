@@ -95,15 +95,15 @@ impl Curve {
         smallvec::SmallVec::from_buf_and_len(all, self.control_points(segment).len())
     }
 
-    /// True if the number of crossings between the curve's outlines and a half-line at height y is odd. `beyond`
+    /// True if the number of crossings between the curve's outlines and a half-line at height y is odd. `is_on_half_line`
     /// returns true for an x on the half-line; all x between two such x are on it too.
-    pub fn is_crossed_oddly(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
+    pub fn is_crossed_oddly(&self, y: f64, is_on_half_line: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
             let height = self.affine_bernstein_coefficients(segment, |p| p.y - y);
             let [mut all, mut none] = [true; 2];
             for p in self.control_points(segment) {
-                let counts = beyond(p.x);
+                let counts = is_on_half_line(p.x);
                 (all, none) = (all && counts, none && !counts);
             }
             if none {
@@ -115,7 +115,7 @@ impl Curve {
                 continue;
             }
             bernstein_roots(&height, &mut |t| {
-                odd ^= beyond(evaluate_bernstein(&self.affine_bernstein_coefficients(segment, |p| p.x), t));
+                odd ^= is_on_half_line(evaluate_bernstein(&self.affine_bernstein_coefficients(segment, |p| p.x), t));
                 false
             });
         }
