@@ -245,26 +245,30 @@ fn in_words(contents: &Contents) -> String {
         let (at, color) = (vector_with_four_decimals(&light.location), vector_with_four_decimals(&light.color));
         rows.push([place(&light.source), format!("light     {} at {at}, rgb {color}", light.kind)]);
     }
-    for same in contents.objects.chunk_by(|a, b| a.source == b.source && a.word == b.word) {
-        rows.push([place(&same[0].source), format!("object    {}", objects_in_words(same))]);
+    for at_one_position in contents.objects.chunk_by(|a, b| a.source == b.source && a.word == b.word) {
+        rows.push([place(&at_one_position[0].source), format!("object    {}", objects_in_words(at_one_position))]);
     }
     let mut number = 1;
-    for same in contents.textures.chunk_by(|a, b| a.first == b.first) {
-        rows.push([place(&same[0].first), format!("texture   {}", textures_in_words(same, number))]);
-        number += same.len();
+    for at_one_position in contents.textures.chunk_by(|a, b| a.first == b.first) {
+        rows.push([
+            place(&at_one_position[0].first),
+            format!("texture   {}", textures_in_words(at_one_position, number)),
+        ]);
+        number += at_one_position.len();
     }
     let width = rows.iter().map(|[place, _]| place.chars().count()).max().unwrap_or(0).min(40);
     rows.iter().map(|[place, text]| format!("{place:width$}  {text}\n")).collect()
 }
 
 /// Describes objects that one position in the text created.
-fn objects_in_words(same: &[ObjectRow]) -> String {
-    let first = &same[0];
-    let count = if same.len() > 1 { format!("{} × ", same.len()) } else { String::new() };
+fn objects_in_words(at_one_position: &[ObjectRow]) -> String {
+    let first = &at_one_position[0];
+    let count = if at_one_position.len() > 1 { format!("{} × ", at_one_position.len()) } else { String::new() };
     let corner = |corners: [f64; 3]| DVec3::from_array(corners);
-    let boxes = same.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
+    let boxes =
+        at_one_position.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
     let pov_bounds = match boxes.reduce(Aabb::union) {
-        _ if same.iter().any(|row| row.infinite) => "infinite".into(),
+        _ if at_one_position.iter().any(|row| row.infinite) => "infinite".into(),
         Some(all) => format!(
             "{} to {}",
             vector_with_four_decimals(&all.min.to_array()),
@@ -274,20 +278,21 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     };
     let shapes =
         if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
-    let textures = same.iter().map(|row| row.texture + 1);
+    let textures = at_one_position.iter().map(|row| row.texture + 1);
     let range = (textures.clone().min().unwrap_or(0), textures.max().unwrap_or(0));
     format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, number_range_text("texture", range))
 }
 
 /// Describes textures that one position in the text created; `first_number` is that of the first one.
-fn textures_in_words(same: &[TextureRow], first_number: usize) -> String {
-    let first = &same[0];
+fn textures_in_words(at_one_position: &[TextureRow], first_number: usize) -> String {
+    let first = &at_one_position[0];
     let layers = if first.layers > 1 { format!(", {} layers", first.layers) } else { String::new() };
-    let more = if same.len() > 1 { format!(" and {} more", same.len() - 1) } else { String::new() };
-    let on = counted(same.iter().map(|texture| texture.objects).sum(), "object");
+    let more =
+        if at_one_position.len() > 1 { format!(" and {} more", at_one_position.len() - 1) } else { String::new() };
+    let on = counted(at_one_position.iter().map(|texture| texture.objects).sum(), "object");
     format!(
         "{}: {}{layers}{more}; on {on}",
-        number_range_text("number", (first_number, first_number + same.len() - 1)),
+        number_range_text("number", (first_number, first_number + at_one_position.len() - 1)),
         first.pigment
     )
 }

@@ -16,7 +16,7 @@ use crate::value::words::{Row, specs};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Part numbers of an ovus: lower ball, upper ball, band.
+/// Part numbers of an ovus: lower ball, band, upper ball.
 const BOTTOM: u32 = 0;
 const BAND: u32 = 1;
 const TOP: u32 = 2;

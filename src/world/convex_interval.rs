@@ -26,7 +26,7 @@ impl ConvexInterval {
 
     /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
-    fn inside_shape(leaf: &Leaf, ray: &Ray) -> Option<Self> {
+    fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
         let local = leaf.local(ray);
         let (ends, around) = match leaf.shape.crossing(&local) {
             Crossing::Unknown => return None,
@@ -60,7 +60,7 @@ impl ConvexInterval {
 pub(super) fn range_possibly_inside(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
         SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
-            ConvexInterval::inside_shape(leaf, ray).map_or(range, |interval| interval.possible_range(range))
+            ConvexInterval::inside_shape_if_known(leaf, ray).map_or(range, |interval| interval.possible_range(range))
         }
         _ => range,
     }
@@ -81,7 +81,7 @@ pub(super) fn nearest_end_and_leaf<'a>(
     let mut parts: SmallVec<[(ConvexInterval, &Leaf); 4]> = SmallVec::new();
     for child in children {
         let SolidKind::Leaf(leaf) = child.kind() else { return Err(UnknownInterval) };
-        let interval = ConvexInterval::inside_shape(leaf, ray).ok_or(UnknownInterval)?;
+        let interval = ConvexInterval::inside_shape_if_known(leaf, ray).ok_or(UnknownInterval)?;
         if !merged {
             range = interval.possible_range(range);
             if range.is_empty() {
@@ -142,7 +142,7 @@ impl<'a> GatheredHits<'a> {
         self.range = self.range.intersection(range);
         if let SolidKind::Leaf(leaf) = child.kind()
             && child.has_no_clips_or_bounds()
-            && let Some(interval) = ConvexInterval::inside_shape(leaf, ray)
+            && let Some(interval) = ConvexInterval::inside_shape_if_known(leaf, ray)
         {
             if only_inside {
                 self.range = interval.possible_range(self.range);

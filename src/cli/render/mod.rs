@@ -48,7 +48,7 @@ struct Done {
     reports: Vec<Report>,
     /// Paths of the pictures whose rendering has begun.
     pictures: Vec<PathBuf>,
-    /// All files that the render has looked up.
+    /// All files that the render has read, and paths that it has only asked about.
     files: LookedUpFiles,
 }
 

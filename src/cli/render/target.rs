@@ -96,7 +96,7 @@ impl Target {
         self.shard
     }
 
-    /// Returns the encoding of the whole picture.
+    /// Returns the format and options of the picture's file; for a shard, those of the file of the whole picture.
     pub fn encoding(&self) -> Encoding {
         self.encoding
     }

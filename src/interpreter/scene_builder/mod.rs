@@ -69,7 +69,8 @@ impl SceneBuilder {
         self.version_stated.then_some(self.language.version)
     }
 
-    /// Returns the language version and gamma in force at this point of the scene.
+    /// Returns the language version, the rules that depend on it, and the gamma, all as they are in force at this point of the
+    /// scene.
     pub(super) fn language(&self) -> Language {
         let version = self.stated_version();
         let srgb_files = version.is_some_and(compat::has_srgb_files);

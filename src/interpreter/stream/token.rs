@@ -10,7 +10,7 @@ pub enum Token<'a> {
     Word(&'static str),
     /// Token that is a built-in function's name, whose arguments follow.
     Callee(&'static str),
-    /// Token that is a word with the `{` after it.
+    /// Token that is the start of a block: the word before a `{`.
     Block(BlockName<'a>),
     /// Token that is a complete expression without macro calls.
     Expr(&'a Expr),
