@@ -110,7 +110,8 @@ pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
         .sets(|s, r| set(&mut s.fov_y, read_field_of_view_degrees("fov_y", r))),
 ];
 
-/// Description of the lecture's camera, an addition of durer; right-handed.
+/// Table of the words that the block of the lecture's camera takes, for parser, messages and manual. The camera is an addition
+/// of durer, and right-handed.
 pub const LECTURE: Spec = Spec {
     name: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",

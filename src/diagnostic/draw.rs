@@ -33,7 +33,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
             Err(_) => format!("{}: {}\n", d.code, d.message),
         }
     };
-    let mut out = match split_primary_and_rest(diagnostic, sources) {
+    let mut out = match split_if_label_precedes_primary(diagnostic, sources) {
         Some([first, rest]) => {
             let rest = draw(&rest);
             // The message is above already: continue with the frame.
@@ -59,7 +59,7 @@ const ASCII_FRAME: &str = ",-[";
 /// Splits a diagnostic in two: one with the fault's own label, and one with the other labels and the help. `None` if
 /// all can be shown together. The reason is that miette shows labels in the order of the text, so that others could
 /// precede the fault.
-fn split_primary_and_rest(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
+fn split_if_label_precedes_primary(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
     let line = |label: &Label| sources.place(label.span).map_or(0, |place| place.line);
     let primary = d.labels.first()?;
     let file = |label: &Label| sources.locate(label.span).map(|(id, _)| id);

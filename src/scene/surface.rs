@@ -9,7 +9,7 @@ use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use std::sync::{Arc, LazyLock};
 
-/// Identity transform, shared by the textures of all objects that were not transformed.
+/// Identity transform, shared by all textures that were set on a transformed object which was not transformed since.
 static IDENTITY: LazyLock<Arc<Transform>> = LazyLock::new(Arc::default);
 
 /// A texture on an object.

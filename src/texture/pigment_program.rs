@@ -50,7 +50,7 @@ impl PigmentProgram {
     }
 
     /// True if the pigment has no colour at the point because it is outside of pictures with `once`.
-    pub fn has_no_color_at(&self, ctx: &TextureContext) -> bool {
+    pub fn is_outside_once_pictures(&self, ctx: &TextureContext) -> bool {
         self.node_has_no_color(self.nodes.len() - 1, ctx, self.framed)
     }
 
@@ -175,7 +175,7 @@ impl Brightness {
 impl PigmentBrightness for Brightness {
     fn brightness(&self, at: &TextureContext) -> f64 {
         // Points without a colour are dark, although their colour is a clear white (quirk: pictures_once).
-        if self.pigment.has_no_color_at(at) { 0.0 } else { gray(self.pigment.color_at(at).rgb) }
+        if self.pigment.is_outside_once_pictures(at) { 0.0 } else { gray(self.pigment.color_at(at).rgb) }
     }
 
     fn depends_on_uv(&self) -> bool {

@@ -223,7 +223,7 @@ impl<'w> Painter<'w, '_> {
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent };
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
-            if layer.finish.conserve_energy && !layer.has_no_color(&seen_from(), use_quick_color) {
+            if layer.finish.conserve_energy && !layer.is_outside_once_pictures(&seen_from(), use_quick_color) {
                 transmittance *= unreflected_share_if_conserving(&shaded, self.interface);
             }
             self.layers.push(shaded);

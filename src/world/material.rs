@@ -256,10 +256,12 @@ impl Layer {
     }
 
     /// True if the pigment has no colour at a point, for example beside an image map with `once`.
-    pub fn has_no_color(&self, ctx: &TextureContext, use_quick_color: bool) -> bool {
+    pub fn is_outside_once_pictures(&self, ctx: &TextureContext, use_quick_color: bool) -> bool {
         match self.shown(use_quick_color) {
             LayerColor::Solid(_) => false,
-            LayerColor::PigmentProgram(pigment) | LayerColor::Untinted(pigment) => pigment.has_no_color_at(ctx),
+            LayerColor::PigmentProgram(pigment) | LayerColor::Untinted(pigment) => {
+                pigment.is_outside_once_pictures(ctx)
+            }
         }
     }
 

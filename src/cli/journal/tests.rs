@@ -113,7 +113,7 @@ fn records_are_valid_in_their_own_place_alone() {
     assert!(is_damaged([text.as_bytes(), &mine[header..]].concat()));
 }
 
-/// Stores light whose bytes are written in pieces of different lengths.
+/// Stores photons or radiosity samples in the journal, and writes their bytes in pieces of different lengths.
 fn store(journal: &Journal, kind: LightKind, bytes: &[u8]) {
     journal.store_light(kind, &|out| {
         let (first, rest) = bytes.split_at(bytes.len() / 3);

@@ -222,7 +222,7 @@ impl Plan {
         Corner { before, after, first, last, any: others.contains(&true) }
     }
 
-    /// Returns the corners of a pavement's cell.
+    /// Returns, for each corner of a pavement's cell, which of the edges that meet there are joints.
     pub fn corners_of_cell(&self, cell: Cell) -> &[Corner] {
         &self.corners[self.index_in_period(cell)]
     }

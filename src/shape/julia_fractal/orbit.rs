@@ -218,8 +218,8 @@ impl Rule {
         within * (1.0 - 1e-9)
     }
 
-    /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay in all
-    /// iterations.
+    /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay within
+    /// the escape radius in all iterations.
     fn deviation_while_staying<const N: usize>(self, trail: &[[f64; 2]], escape_radius: f64) -> f64 {
         let mut e = [DeviationBounds::exact(f64::INFINITY); N];
         for squares in trail.iter().rev() {

@@ -47,12 +47,12 @@ impl Reporter<'_> {
             d.trace = Box::default();
         }
         d.labels = vec![Label { span: first, text: String::new() }];
-        self.add_places(&mut d, &cause, &name);
+        self.add_labels_of_further_uses(&mut d, &cause, &name);
         d
     }
 
     /// Adds further places to a message, and the number of places beyond [`MAX_PLACES`].
-    fn add_places(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
+    fn add_labels_of_further_uses(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
         let file = |span: Span| self.inputs.sources.locate(span).map(|(file, _)| file);
         let mut more = 0;
         for (other, span) in &cause.uses[1..] {
