@@ -196,7 +196,7 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Guard during whose lifetime signals do not end the program, but are only reported by [`requested`].
+/// Guard during whose lifetime signals do not end the program, but are only reported by [`received_end_signal`].
 pub struct DeferredSignals(());
 
 impl DeferredSignals {

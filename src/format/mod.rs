@@ -39,8 +39,8 @@ const STEP: usize = 2;
 /// Maximum number of passes over a text with irregular tokens.
 const MAX_PASSES: usize = 8;
 
-/// Formats a text. New lines end with `\n`. Lines have at most `width` characters where they can be broken. `base` is
-/// the global offset of the text's first byte, for messages.
+/// Formats a text. New lines end with `\n`. Lines have at most `width` characters where they can be broken.
+/// `global_start` is the global offset of the text's first byte, for messages.
 ///
 /// # Errors
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest

@@ -44,9 +44,9 @@ impl Picture {
         let (mut stored, mut gray_bytes) = (Stored::Unsaid, false);
         match &bytes[..] {
             [0x89, b'P', b'N', b'G', ..] => {
-                let keyed;
-                (stored, indices, keyed) = storage_indices_has_transparency(&bytes);
-                if keyed {
+                let has_transparent_color;
+                PngChunks { stored, indices, has_transparent_color } = read_png_chunks(&bytes);
+                if has_transparent_color {
                     pixels = pixels.without_alpha();
                 }
                 gray_bytes = pixels.channels == 1 && indices.is_none() && matches!(pixels.samples, Samples::U8(_));
@@ -75,28 +75,41 @@ pub fn wrap_to_u16(x: f32) -> u16 {
     (x * 65535.0) as i64 as u16
 }
 
-/// Reads what the chunks of a png say: the relation of samples to light, palette indices, and whether one colour is
-/// declared transparent. That colour has no effect (quirk: `png_transparent_color`).
-fn storage_indices_has_transparency(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
+/// What the chunks of a PNG file say apart from its pixels.
+struct PngChunks {
+    /// Relation of the samples to light.
+    stored: Stored,
+    /// Palette index of each pixel; `None` for a file without a palette.
+    indices: Option<Vec<u8>>,
+    /// True if one colour is declared transparent, which has no effect (quirk: `png_transparent_color`).
+    has_transparent_color: bool,
+}
+
+impl PngChunks {
+    const ABSENT: Self = Self { stored: Stored::Unsaid, indices: None, has_transparent_color: false };
+}
+
+/// Reads the chunks of a PNG file; those of a damaged file are as if they were absent.
+fn read_png_chunks(bytes: &[u8]) -> PngChunks {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
-    let Ok(mut reader) = decoder.read_info() else { return (Stored::Unsaid, None, false) };
+    let Ok(mut reader) = decoder.read_info() else { return PngChunks::ABSENT };
     let info = reader.info();
-    let encoding = match (info.srgb, info.gama_chunk) {
+    let stored = match (info.srgb, info.gama_chunk) {
         (Some(_), _) => Stored::Srgb,
         (None, Some(gamma)) => Stored::Power(1.0 / f64::from(gamma.into_value())),
         (None, None) => Stored::Unsaid,
     };
     if info.color_type != png::ColorType::Indexed {
-        return (encoding, None, info.trns.is_some());
+        return PngChunks { stored, indices: None, has_transparent_color: info.trns.is_some() };
     }
     let (width, depth) = (info.width as usize, info.bit_depth as usize);
-    let Some(size) = reader.output_buffer_size() else { return (encoding, None, false) };
+    let Some(size) = reader.output_buffer_size() else { return PngChunks { stored, ..PngChunks::ABSENT } };
     let mut packed = vec![0; size];
-    let Ok(frame) = reader.next_frame(&mut packed) else { return (encoding, None, false) };
+    let Ok(frame) = reader.next_frame(&mut packed) else { return PngChunks { stored, ..PngChunks::ABSENT } };
     let rows = packed.chunks(frame.line_size).take(frame.height as usize);
     let indices = rows.flat_map(|row| (0..width).map(move |x| packed_sample(row, x, depth))).collect();
-    (encoding, Some(indices), false)
+    PngChunks { stored, indices: Some(indices), has_transparent_color: false }
 }
 
 /// Returns the sample at column `x` of a picture's row with `bits_per_sample` bits a sample (1, 2, 4 or 8), the first in the

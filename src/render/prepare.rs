@@ -1,6 +1,6 @@
 //! Preparation of a frame: data that is computed before the picture and only read while the picture is rendered.
 //!
-//! Photon maps and radiosity belong here: each is a list of passes ([`Preparation::pass`]) whose result becomes a part of
+//! Photon maps and radiosity belong here: each is a list of passes ([`Preparation::run_pass`]) whose result becomes a part of
 //! the [`FrameContext`], so that no ray of the picture can change it.
 
 use super::workers::Workers;

@@ -92,8 +92,8 @@ impl Torus {
         });
     }
 
-    /// Calls `found` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true. `o` is
-    /// the point of the ray nearest to the origin, so that o·v = 0.
+    /// Calls `found` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true.
+    /// `nearest_to_origin` is the point o of the ray nearest to the origin, so that o·v = 0.
     fn find_ray_roots(&self, nearest_to_origin: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²

@@ -20,8 +20,8 @@ impl ColorMap {
         }
     }
 
-    /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with the bounds
-    /// `near`.
+    /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with these
+    /// bounds.
     pub fn component_bounds_for(&self, numbers: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = numbers.range;
         let (first, last) = (self.color_at(lo).to_array(), self.color_at(hi).to_array());

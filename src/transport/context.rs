@@ -108,11 +108,11 @@ impl<'w> FrameContext<'w> {
         }
     }
 
-    /// True if all light comes from light sources, and the quality level leaves nothing out.
+    /// True if all light comes from light sources, and the quality level shows lights, pigments and reflection.
     pub(super) fn has_plain_light(&self) -> bool {
-        let Quality { lights, shadows: _, area_lights: _, pigments, reflection, atmosphere: _, subsurface } =
-            self.quality;
-        lights && pigments && reflection && !subsurface && self.radiosity.is_none() && self.photons.is_none()
+        let quality = &self.quality;
+        let is_shown = quality.lights && quality.pigments && quality.reflection;
+        is_shown && !quality.subsurface && self.radiosity.is_none() && self.photons.is_none()
     }
 
     /// Returns the interiors that contain the origin of a camera ray.

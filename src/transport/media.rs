@@ -24,7 +24,7 @@ pub(super) struct MediaStretch<'a, 'w> {
     pub ray: &'a Ray,
     /// Distances from the ray's origin between which the media are.
     pub range: [f64; 2],
-    /// Media, the outermost first. The sampling of one applies to all ([`MediaStretch::leader`]).
+    /// Media, the outermost first. The sampling of one applies to all ([`MediaStretch::leading_medium_index`]).
     pub media: &'a [&'w Medium],
     /// Interiors and lights of the stretch.
     pub context: &'a SegmentContext<'a>,

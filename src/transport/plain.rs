@@ -24,7 +24,7 @@ pub(super) struct PlainPoint<'w> {
 
 impl<'w> PlainPoint<'w> {
     /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part. `None` if the surface transmits light
-    /// at the point all the same, as an image map does that only counts as opaque (quirk: `image_alpha_of_one`).
+    /// at the point all the same: an opaque `image_map` has no colour at the origin that it is wrapped around.
     #[inline(always)]
     pub fn new(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Option<Self> {
         let surface = found.surface(ray);

@@ -62,7 +62,7 @@ impl<'w> Tracer<'w> {
     fn trace_and_continues(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
-            let air = match self.includes_fog_and_media(state) {
+            let air = match self.meets_fog_or_media(state) {
                 true => self.endless_segment(&state.ray, &state.inside),
                 false => Segment::NONE,
             };
@@ -78,7 +78,7 @@ impl<'w> Tracer<'w> {
         {
             return false;
         }
-        if (self.has_air() || self.has_media()) && self.includes_fog_and_media(state) {
+        if self.meets_fog_or_media(state) {
             let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.light_set());
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
@@ -169,9 +169,11 @@ impl<'w> Tracer<'w> {
         world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
     }
 
-    /// True if fog and media count along the ray (`radiosity { media }`).
-    fn includes_fog_and_media(&self, state: &RayState) -> bool {
-        state.bounces == 0 || self.context.world.radiosity.as_ref().is_some_and(|settings| settings.media)
+    /// True if the scene has fog or media, and they count along the ray (`radiosity { media }`).
+    fn meets_fog_or_media(&self, state: &RayState) -> bool {
+        let counts =
+            || state.bounces == 0 || self.context.world.radiosity.as_ref().is_some_and(|settings| settings.media);
+        (self.has_air() || self.has_media()) && counts()
     }
 
     /// Returns the optical boundary at a hit.

@@ -55,7 +55,7 @@ impl<'w> Tracer<'w> {
     #[inline]
     pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors, light_set: u32) -> Segment {
         let (has_air, has_media) = (self.has_air(), self.has_media());
-        if !has_air && !has_media || self.is_filled(inside) {
+        if self.is_filled(inside) {
             return Segment::NONE;
         }
         let context = SegmentContext { inside, light_set, is_shadow: false };
@@ -130,7 +130,7 @@ impl<'w> Tracer<'w> {
     /// Returns the segment of the media of all interiors in the list.
     fn interior_media_segment(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
         let world = self.context.world;
-        // (Loops: to collect an iterator of iterators takes as long as to sample a medium.)
+        // (Loops: collecting an iterator of iterators took 3 % of a scene with media.)
         let mut media = SmallVec::<[&Medium; 4]>::new();
         for own in context.inside.iter().filter_map(|i| world.media.get(i)) {
             for medium in own {

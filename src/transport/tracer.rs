@@ -62,8 +62,7 @@ pub struct Tracer<'w> {
     pub(super) max_trace_level: u32,
     /// Importance below which rays are not traced.
     pub(super) adc_bailout: f64,
-    /// True if light comes from light sources alone, at full quality, so that a plain surface needs no more than a
-    /// [`super::plain::PlainPoint`].
+    /// See [`FrameContext::has_plain_light`]: a plain surface then needs no more than a [`super::plain::PlainPoint`].
     pub(super) has_plain_light: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,

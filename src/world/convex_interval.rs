@@ -70,7 +70,7 @@ pub(super) fn range_possibly_inside(solid: &SolidNode, ray: &Ray, range: Range) 
 pub(super) struct UnknownInterval;
 
 /// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit; all children must
-/// be able to compute their intervals. `shows` returns true for a hit at `t` that no clipping solid removes.
+/// be able to compute their intervals. `is_unclipped_at` returns true for a distance at which no clipping solid removes a hit.
 pub(super) fn nearest_end_and_leaf<'a>(
     children: &'a [SolidNode],
     merged: bool,

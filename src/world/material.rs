@@ -22,8 +22,8 @@ pub struct Material {
     /// True if the material transmits all light unchanged and sends none itself, such as the surface of a container of
     /// media.
     pub is_clear: bool,
-    /// True for one opaque layer that reflects in proportion to the incoming light, without grain, thin film and subsurface
-    /// light.
+    /// True for one opaque layer that reflects in proportion to the incoming light, without grain, thin film, subsurface light
+    /// and `conserve_energy`.
     #[serde(skip)]
     pub is_plain: bool,
     /// True if a pattern depends on surface coordinates.
@@ -156,7 +156,10 @@ impl Material {
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             is_clear: layers.iter().all(Layer::is_clear),
-            is_plain: matches!((&layers[..], &texture.layers[..]), ([one], [written]) if one.is_plain_if_opaque() && is_opaque(written)),
+            is_plain: match (&layers[..], &texture.layers[..]) {
+                ([lowered], [written]) => lowered.is_plain_if_opaque() && is_opaque(written),
+                _ => false,
+            },
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&reflects_or_has_grain)
                 || !texture.layers.iter().any(is_opaque)
@@ -242,7 +245,7 @@ impl Layer {
             && finish.mirror.as_ref().is_none_or(|mirror| mirror.exponent == 1.0)
     }
 
-    /// Returns the colour of a layer that has one colour everywhere; `quick` selects `quick_color`.
+    /// Returns the colour of a layer that has one colour everywhere; `use_quick_color` selects `quick_color`.
     pub fn color_everywhere(&self, use_quick_color: bool) -> Option<Color> {
         match self.shown(use_quick_color) {
             LayerColor::Solid(color) => Some(*color),
@@ -250,7 +253,7 @@ impl Layer {
         }
     }
 
-    /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
+    /// Returns the colour at a point of the texture's space; `use_quick_color` selects `quick_color`.
     pub fn color(&self, ctx: &TextureContext, use_quick_color: bool) -> Color {
         self.shown(use_quick_color).color_at(ctx)
     }

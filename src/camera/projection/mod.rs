@@ -52,7 +52,7 @@ impl Projection {
 
     /// Returns the unit camera ray through a position of the picture, from -½ to ½ to the right and up, and the
     /// position for bumps; `None` where the projection has no ray, and for flat windows and faces. `axes` are the unit
-    /// vectors right, up and ahead, `window_lengths` are the width and height of the window and the length of the
+    /// vectors right, up and ahead, `right_up_direction_lengths` are the width and height of the window and the length of the
     /// direction.
     pub(super) fn ray_and_bump_position(
         &self,
@@ -102,7 +102,7 @@ struct LocalRay {
 }
 
 impl LocalRay {
-    /// Returns a camera ray that starts at the eye; its bumps are evaluated at `place`.
+    /// Returns a camera ray that starts at the eye; its bumps are evaluated at `bump_position`.
     fn from_eye(dir: DVec3, bump_position: DVec2) -> Self {
         Self { origin: DVec2::ZERO, dir, bump_position }
     }

@@ -11,7 +11,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 /// All inputs that determine the bytes of a picture, except for the program.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Work {
-    /// Options of the render that affect the picture, from [`options`].
+    /// Options of the render that affect the picture, from [`picture_options_text`].
     pub options: String,
     /// Files that were read, with hashes.
     pub files: ReadFiles,

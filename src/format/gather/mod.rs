@@ -11,7 +11,7 @@ use crate::syntax::{Piece, Tokens, is_ignored_char};
 /// Length of a list of numbers, in bytes, above which each vector is one atom.
 const LONG_LIST: usize = 100_000;
 
-/// Returns the atoms of a text whose first byte has the global offset `base`.
+/// Returns the atoms of a text whose first byte has the global offset `global_start`.
 pub fn gather(text: &str, global_start: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::new(&ast.tokens);
     let mut gatherer = Gatherer { text, global_start, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };

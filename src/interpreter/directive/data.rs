@@ -5,15 +5,10 @@ use crate::interpreter::evaluator::numbers_of;
 use crate::value::{Value, VecN, format_decimal, trim_zeros};
 
 /// Skips blanks, commas and comments; returns the new offset.
-pub(super) fn skip_blanks_commas_comments(text: &str, at: usize) -> usize {
-    skip_blanks_comments_and(text, at, |c| c == ',')
-}
-
-/// Skips blanks, comments and the characters that `also` accepts; returns the new offset.
-pub(super) fn skip_blanks_comments_and(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
+pub(super) fn skip_blanks_commas_comments(text: &str, mut at: usize) -> usize {
     loop {
         let rest = &text[at..];
-        let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || also(c)).len();
+        let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',').len();
         let comment = match &rest.as_bytes()[blank..] {
             [b'/', b'/', ..] => rest[blank..].find(['\n', '\r']).unwrap_or(rest.len() - blank),
             [b'/', b'*', ..] => rest[blank..].find("*/").map_or(rest.len() - blank, |i| i + 2),

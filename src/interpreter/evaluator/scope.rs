@@ -167,7 +167,7 @@ impl<'a> Scopes<'a> {
         self.follow_aliases_from(symbol, binding_index)
     }
 
-    /// Follows the aliases that begin at the binding number `depth` of a symbol.
+    /// Follows the aliases that begin at the binding with the index `binding_index` of a symbol.
     fn follow_aliases_from(&self, symbol: Symbol, binding_index: usize) -> Option<(Symbol, usize, Option<&Path>)> {
         let (mut symbol, mut binding_index, mut path) = (symbol, binding_index, None);
         // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.

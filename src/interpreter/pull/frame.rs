@@ -67,7 +67,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Runs the rest of the macros above the first `floor` frames, after they returned the value of a declaration.
+    /// Runs the rest of the macros above the first `frame_count` frames, after they returned the value of a declaration.
     ///
     /// # Errors
     /// If a macro gives a second value.

@@ -208,7 +208,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         all
     }
 
-    /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `count`.
+    /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `max_count`.
     fn choose_children(&self, root: u32, mut max_count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
         let binary_node = &self.binary_nodes[root as usize];
         while max_count > 1 && binary_node.first[max_count - 2] == 0 {

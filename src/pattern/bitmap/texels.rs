@@ -76,7 +76,7 @@ impl Texels {
 }
 
 /// Returns the curve from a picture file's numbers to those of a scene, whose colours relate to light by `scene_gamma`.
-/// `decodes` is true if files without gamma information follow the sRGB curve. In scenes before version 3.7 without
+/// `decodes_unmarked_srgb` is true if files without gamma information follow the sRGB curve. In scenes before version 3.7 without
 /// `assumed_gamma`, numbers stay unchanged (quirk: `gamma_by_version`).
 pub fn color_curve(
     stored: Stored,

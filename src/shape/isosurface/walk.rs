@@ -32,8 +32,8 @@ pub struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    /// Creates the search of a ray that enters the isosurface's container from outside; `inside` is true if it enters
-    /// the solid there. A way shorter than a piece has no hits.
+    /// Creates the search of a ray that enters the isosurface's container from outside; `enters_solid` is true if it
+    /// enters the solid there. A way shorter than a piece has no hits.
     pub fn entering_container(
         value: &'a dyn Fn(f64) -> f64,
         enters_solid: bool,
