@@ -48,8 +48,8 @@ pub(super) fn sampled_first_hits<'a>(
     rays_through_pixels(world, options, CENTRE).take(SAMPLES).filter_map(|ray| first_visible_hit(world, &ray))
 }
 
-/// Returns rays through all pixels, at `offset_from_pixel_corner` from the pixels' top left corners, in an order in which consecutive
-/// rays are far from each other.
+/// Returns rays through all pixels, at `offset_from_pixel_corner` from the pixels' top left corners, in an order in
+/// which consecutive rays are far from each other.
 fn rays_through_pixels(
     world: &World,
     options: &render::Options,

@@ -175,8 +175,8 @@ impl Rainbow {
         Some(Segment::from_color(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
-    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `direction_across_axis` is the component of the ray's
-    /// direction across the rainbow's axis.
+    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `direction_across_axis` is the
+    /// component of the ray's direction across the rainbow's axis.
     fn arc_strength(&self, direction_across_axis: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
         let from_up = direction_across_axis.angle_between(up);

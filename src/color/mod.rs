@@ -55,8 +55,8 @@ impl Color {
         [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
     }
 
-    /// Fraction of its own light that a surface of this colour shows. Before 3.7, with `filter_by_brightest_channel`, a filter transmits
-    /// only as much as its brightest channel (quirk: `opacity_by_version`).
+    /// Fraction of its own light that a surface of this colour shows. Before 3.7, with `filter_by_brightest_channel`, a
+    /// filter transmits only as much as its brightest channel (quirk: `opacity_by_version`).
     pub fn opacity(&self, filter_by_brightest_channel: bool) -> f64 {
         let filter = if filter_by_brightest_channel { self.filter * self.rgb.max_element() } else { self.filter };
         1.0 - filter - self.transmit

@@ -244,7 +244,8 @@ impl<'a> Typesetter<'a> {
         (items, at.min(to))
     }
 
-    /// Writes the items of a body as rows, one per line. A comment on the line that `follows_opening_bracket` the body stays there.
+    /// Writes the items of a body as rows, one per line. If `follows_opening_bracket` is true, a comment on the line of
+    /// the bracket stays there.
     fn write_body(&mut self, from: usize, to: usize, indent: usize, follows_opening_bracket: bool) {
         let mut at = from;
         if follows_opening_bracket && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {

@@ -64,9 +64,9 @@ impl LocalBounds {
         }
     }
 
-    /// Returns tighter local bounds where gradients change by at most `max_gradient_change` per unit of length while the numbers are
-    /// strictly `valid_range`: all gradients are then near the one at the point (Taylor's theorem). `value_at_offset` gives the number at
-    /// an offset from the point.
+    /// Returns tighter local bounds where gradients change by at most `max_gradient_change` per unit of length while
+    /// the numbers are strictly inside `valid_range`: all gradients are then near the one at the point (Taylor's theorem).
+    /// `value_at_offset` gives the number at an offset from the point.
     pub fn tightened_by_gradient_change(
         self,
         value_at_offset: impl Fn(DVec3) -> f64,

@@ -75,7 +75,7 @@ pub fn wrap_to_u16(x: f32) -> u16 {
     (x * 65535.0) as i64 as u16
 }
 
-/// What the chunks of a PNG file say apart from its pixels.
+/// Data in the chunks of a PNG file apart from its colours.
 struct PngChunks {
     /// Relation of the samples to light.
     stored: Stored,

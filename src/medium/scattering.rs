@@ -92,8 +92,9 @@ impl Scattering {
         }
     }
 
-    /// Returns the share of scattered light that goes towards the eye, relative to isotropic scattering; `cos_ray_to_light` is the
-    /// cosine of the angle between the view ray and the direction to the light (quirk: `phase_functions`).
+    /// Returns the share of scattered light that goes towards the eye, relative to isotropic scattering;
+    /// `cos_ray_to_light` is the cosine of the angle between the view ray and the direction to the light (quirk:
+    /// `phase_functions`).
     pub fn phase_factor(&self, cos_ray_to_light: f64) -> f64 {
         match self.phase {
             Phase::Isotropic => 1.0,

@@ -20,8 +20,8 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// Returns the lints of a scene's own file, `scene_and_includes[0]`. The other files are its includes: they are read for the names
-/// that they declare and use.
+/// Returns the lints of a scene's own file, `scene_and_includes[0]`. The other files are its includes: they are read
+/// for the names that they declare and use.
 pub fn lint_scene(sources: &Sources, scene_and_includes: &[FileId], lints: Lints) -> Vec<Diagnostic> {
     let outline = |(i, &file): (usize, &FileId)| {
         let (text, base) = (sources.text(file), sources.base(file));

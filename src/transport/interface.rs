@@ -36,8 +36,8 @@ impl Interface {
     /// Boundary without effect: one medium on both sides.
     pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
-    /// Creates the boundary of the interior `own_interior` for a ray inside the interiors `inside`. The ray leaves `own_interior` if the
-    /// list contains it, and enters it otherwise.
+    /// Creates the boundary of the interior `own_interior` for a ray inside the interiors `inside`. The ray leaves
+    /// `own_interior` if the list contains it, and enters it otherwise.
     pub fn new(inside: &Interiors, own_interior: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
         let (n1, own_ior) = (ior(inside.last()), ior(Some(&own_interior)));

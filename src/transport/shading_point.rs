@@ -361,7 +361,7 @@ pub(super) fn texture_context<'w>(
     (material, ctx)
 }
 
-/// Returns the transmittance of all layers where a shadow ray hits `found`; `use_quick_color` uses `quick_color`.
+/// Returns the transmittance of all layers where a shadow ray hits `found`; `use_quick_color` selects `quick_color`.
 pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersection, use_quick_color: bool) -> Rgb {
     let part = &world.parts[found.part_number() as usize];
     let outside = &world.materials[part.outside.material as usize];

@@ -4,8 +4,8 @@
 use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// Returns the ray of a cylindrical camera; `cylinder_type` is its type, from 1 to 4, and `full_angle_radians` the angle of view about the
-/// axis. Bumps are evaluated at the angle and the length along the axis.
+/// Returns the ray of a cylindrical camera; `cylinder_type` is its type, from 1 to 4, and `full_angle_radians` the
+/// angle of view about the axis. Bumps are evaluated at the angle and the length along the axis.
 pub(super) fn cylindrical_ray(
     cylinder_type: u8,
     picture_fraction_from_center: DVec2,

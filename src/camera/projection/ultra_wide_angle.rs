@@ -4,8 +4,8 @@
 use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// Returns the ray of an ultra wide angle camera; `full_angle_radians` is the horizontal angle of view. Bumps are evaluated at the
-/// horizontal and vertical angles of the ray.
+/// Returns the ray of an ultra wide angle camera; `full_angle_radians` is the horizontal angle of view. Bumps are
+/// evaluated at the horizontal and vertical angles of the ray.
 pub(super) fn ultra_wide_angle_ray(
     picture_fraction_from_center: DVec2,
     right_up_direction_lengths: DVec3,

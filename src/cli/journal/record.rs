@@ -79,8 +79,8 @@ impl Key {
         });
     }
 
-    /// Appends the record of a part of a file of light, which will be at `record_offset` in the file. The part begins at `offset_in_light` in
-    /// the file of light, and has at most [`MAX_PART`] bytes.
+    /// Appends the record of a part of a file of light, which will be at `record_offset` in the file. The part begins
+    /// at `offset_in_light` in the file of light, and has at most [`MAX_PART`] bytes.
     pub fn append_light(
         &self,
         out: &mut Vec<u8>,

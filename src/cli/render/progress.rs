@@ -61,7 +61,8 @@ impl LineStyle {
         match self {
             Self::Plain => format!("{percent:3.0}%, {seconds_left:.0} s left\n"),
             Self::Json => {
-                let line = json!({ "event": "progress", "percent": round_to_tenths(percent), "seconds_left": round_to_tenths(seconds_left) });
+                let [percent, seconds_left] = [percent, seconds_left].map(round_to_tenths);
+                let line = json!({ "event": "progress", "percent": percent, "seconds_left": seconds_left });
                 format!("{line}\n")
             }
             Self::OpenJobDescription => format!("openjd_progress: {percent:.1}\n"),

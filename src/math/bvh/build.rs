@@ -33,8 +33,8 @@ impl Bvh {
         (bvh, order)
     }
 
-    /// Builds a BVH whose items are packs of boxes: a group of boxes that `fits_in_one_pack`
-    /// accepts becomes one item; `fits_in_one_pack` accepts each single box. Also returns the range of each pack's boxes in the order.
+    /// Builds a BVH whose items are packs of boxes: a group of boxes that `fits_in_one_pack` accepts becomes one item;
+    /// `fits_in_one_pack` accepts each single box. Also returns the range of each pack's boxes in the order.
     pub fn build_packs(
         boxes: impl ExactSizeIterator<Item = Aabb>,
         fits_in_one_pack: impl Fn(&[u32]) -> bool,

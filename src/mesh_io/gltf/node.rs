@@ -6,8 +6,8 @@ use super::document::{Document, Node, Primitive};
 use crate::math::{DVec2, DVec3, Transform};
 use glam::{DAffine3, DMat4, DQuat};
 
-/// Appends the triangles of a glTF file's default scene, or of all nodes if there is no scene. `total_file_bytes` is the total size
-/// of all files, in bytes.
+/// Appends the triangles of a glTF file's default scene, or of all nodes if there is no scene. `total_file_bytes` is
+/// the total size of all files, in bytes.
 pub fn read_nodes(
     document: &Document,
     buffers: &[Vec<u8>],

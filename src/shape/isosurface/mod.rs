@@ -143,8 +143,9 @@ impl Isosurface {
         }
     }
 
-    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known_t_and_value` is
-    /// a point with its value. Pieces start where cells do, so that roots hardly depend on the range.
+    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and
+    /// `known_t_and_value` is a point with its value. Pieces start where cells do, so that roots hardly depend on the
+    /// range.
     fn any_root_in_cells(
         &self,
         near: &Ray,

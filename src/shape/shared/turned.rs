@@ -109,8 +109,8 @@ fn min_squared_axis_distance(o: DVec3, v: DVec3) -> f64 {
 }
 
 impl Piece {
-    /// Calls `visit_s_and_position` with the hits on one segment of the walls. The ray is at height y where s = (y - o_y)/v_y, and
-    /// there |(o + s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
+    /// Calls `visit_s_and_position` with the hits on one segment of the walls. The ray is at height y where s = (y -
+    /// o_y)/v_y, and there |(o + s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
     fn visit_hits(&self, line: &Line, visit_s_and_position: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let (k, m, q) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z);
@@ -134,8 +134,8 @@ impl Piece {
         });
     }
 
-    /// Calls `visit_s_and_position` with the hits of a level ray: where the segment has the ray's height, two points of the ray have
-    /// its radius.
+    /// Calls `visit_s_and_position` with the hits of a level ray: where the segment has the ray's height, two points of
+    /// the ray have its radius.
     fn visit_level_ray_hits(&self, line: &Line, visit_s_and_position: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let b: SmallVec<[f64; 8]> = self.height.iter().map(|y| y - o.y).collect();

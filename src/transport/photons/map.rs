@@ -185,8 +185,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Searches the photons of a range of the tree. `axis_distances` is the distance of the point from the range's part of space along
-    /// each axis (S. Arya and D. M. Mount, "Algorithms for fast vector quantization", 1993).
+    /// Searches the photons of a range of the tree. `axis_distances` is the distance of the point from the range's part
+    /// of space along each axis (S. Arya and D. M. Mount, "Algorithms for fast vector quantization", 1993).
     fn visit(&mut self, from: usize, to: usize, axis_distances: [f32; 3]) {
         if to - from <= LEAF {
             return self.visit_leaf(from, to);
