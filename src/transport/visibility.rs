@@ -9,9 +9,7 @@ use crate::color::Rgb;
 use crate::light::LightSample;
 use crate::math::{DVec3, Range, Ray};
 use crate::shape::Kernel;
-use crate::world::{Intersection, LightSource, World};
-use std::cell::Cell;
-use std::ops::ControlFlow;
+use crate::world::{Intersection, Intersections, LightFilters, LightSource, ShadowRole, World};
 
 /// A ray from a surface to a light.
 struct ShadowRay<'a> {
@@ -74,40 +72,40 @@ impl Tracer<'_> {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
         let (see_through, use_quick_color) = (world.see_through, !self.context.quality.pigments);
-        // Look for an opaque occluder first: that search ends at its first hit. Without a hit, it has come by all objects whose
-        // boxes the ray intersects, and knows whether any of them may filter the light.
-        let may_be_filtered = Cell::new(false);
-        let occludes = |id: u32| {
+        // The search for an opaque occluder ends at its first hit. Without a hit, it has come by all objects whose boxes the
+        // ray intersects, and knows which of them may filter the light.
+        let role = |id: u32| {
             let object = &world.objects[id as usize];
-            let occludes = object.opaque || !see_through;
-            if object.shadow && !occludes {
-                may_be_filtered.set(true);
+            match (object.shadow, object.opaque || !see_through) {
+                (false, _) => ShadowRole::Ignored,
+                (true, true) => ShadowRole::Occludes,
+                (true, false) => ShadowRole::Filters,
             }
-            object.shadow && occludes
         };
-        if world.geometry.any_with_last_occluder(ray, range, occludes, &mut self.occluders[light.number])
-            || self.context.photons.is_some() && self.is_replaced_by_photons(shadow)
-        {
+        let occluder = &mut self.occluders[light.number];
+        let Some(filters) = world.geometry.filters_unless_occluded(ray, range, role, occluder) else {
+            return Rgb::ZERO;
+        };
+        if self.context.photons.is_some() && self.is_replaced_by_photons(shadow) {
             return Rgb::ZERO;
         }
         // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).
         let has_air = light.emitter.attenuated && self.has_air();
         let has_media = self.has_media();
-        if !may_be_filtered.get() && !has_air && !has_media {
+        if filters.is_empty() && !has_air && !has_media {
             return Rgb::ONE;
         }
-        let filters = |id: u32| {
-            let object = &world.objects[id as usize];
-            object.shadow && !object.opaque
-        };
+        let mut surfaces = Intersections::new();
+        if !filters.is_empty() {
+            add_filtering_surfaces(world, ray, range, &filters, &mut surfaces);
+        }
         if world.colors_light || has_air || has_media {
             let segments = ShadowSegments { distance, has_air, has_media };
-            let surfaces = if may_be_filtered.get() { filtering_surfaces(world, ray, range, filters) } else { vec![] };
-            return self.segmented_transmittance(ray, surfaces, copy_interiors(inside), segments);
+            return self.segmented_transmittance(ray, &surfaces, copy_interiors(inside), segments);
         }
         let mut transmittance = Rgb::ONE;
-        for hit in filtering_surfaces(world, ray, range, filters) {
-            transmittance *= shading_point::shadow_transmittance(world, ray, &hit, use_quick_color);
+        for hit in &surfaces {
+            transmittance *= shading_point::shadow_transmittance(world, ray, hit, use_quick_color);
         }
         transmittance
     }
@@ -117,14 +115,14 @@ impl Tracer<'_> {
     fn segmented_transmittance(
         &mut self,
         ray: &Ray,
-        surfaces: Vec<Intersection>,
+        surfaces: &[Intersection],
         mut inside: Interiors,
         segments: ShadowSegments,
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
         for hit in surfaces {
             transmittance *= self.shadow_segment(ray, &Span::new(from, hit.t()), &inside, &segments);
-            transmittance *= self.surface_transmittance(ray, &hit, from, &mut inside);
+            transmittance *= self.surface_transmittance(ray, hit, from, &mut inside);
             from = hit.t();
         }
         // Media of interiors end at surfaces: a light inside of a medium is not attenuated (quirk: `light_inside_media`).
@@ -156,23 +154,20 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the transparent surfaces along a shadow ray, from the nearest to the farthest. A surface closer to the one
-/// before than the minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk:
-/// `shadow_min_distance`).
-fn filtering_surfaces<'w>(
+/// Adds the transparent surfaces along a shadow ray to the empty list `surfaces`, from the nearest to the farthest. A surface
+/// closer to the one before than the minimum distance is skipped: a thinner box filters once, and so does the edge of its
+/// shadow (quirk: `shadow_min_distance`).
+fn add_filtering_surfaces<'w>(
     world: &'w World,
     ray: &Ray,
     range: Range,
-    filters: impl Fn(u32) -> bool,
-) -> Vec<Intersection<'w>> {
+    filters: &LightFilters,
+    surfaces: &mut Intersections<'w>,
+) {
     if world.restarts_shadow_rays {
-        return surfaces_one_by_one(world, ray, range, filters);
+        return add_surfaces_one_by_one(world, ray, range, surfaces);
     }
-    let mut surfaces = vec![];
-    let _ = world.geometry.visit(ray, range, filters, &mut |hit| {
-        surfaces.push(hit);
-        ControlFlow::Continue(())
-    });
+    world.geometry.add_hits_on_filters(filters, ray, range, surfaces);
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
     let (mut last, epsilon) = (f64::NEG_INFINITY, &world.epsilon);
     surfaces.retain(|hit| {
@@ -183,18 +178,15 @@ fn filtering_surfaces<'w>(
         }
         counts
     });
-    surfaces
 }
 
-/// Returns the same surfaces as [`filtering_surfaces`], but each is found by a ray that starts at the surface before (quirk:
+/// Adds the same surfaces as [`add_filtering_surfaces`], but each is found by a ray that starts at the surface before (quirk:
 /// `isosurface_csg_shadows`).
-fn surfaces_one_by_one<'w>(
-    world: &'w World,
-    ray: &Ray,
-    range: Range,
-    filters: impl Fn(u32) -> bool,
-) -> Vec<Intersection<'w>> {
-    let mut surfaces: Vec<Intersection> = vec![];
+fn add_surfaces_one_by_one<'w>(world: &'w World, ray: &Ray, range: Range, surfaces: &mut Intersections<'w>) {
+    let filters = |id: u32| {
+        let object = &world.objects[id as usize];
+        object.shadow && !object.opaque
+    };
     let (mut onward, mut left, mut start) = (*ray, range, 0.0);
     while let Some(mut hit) = world.geometry.closest(&onward, left, &filters) {
         hit.hit.t += start;
@@ -207,5 +199,4 @@ fn surfaces_one_by_one<'w>(
         onward.origin = ray.at(start);
         left = Range { min: world.epsilon.shadow, max: range.max - start };
     }
-    surfaces
 }

@@ -5,6 +5,7 @@ use super::node::{SolidKind, SolidNode};
 use crate::math::{Range, Ray};
 use crate::shape::{Crossing, End, Kernel};
 use smallvec::SmallVec;
+use std::ops::ControlFlow;
 
 /// Distance from the end of an interval below which the part's `inside` decides, in units of the part's own space, so
 /// that coincident surfaces are treated alike. Far above rounding errors and the tolerance of `inside`.
@@ -48,6 +49,15 @@ impl ConvexInterval {
         range.intersection(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
     }
 
+    /// True if all points of the ray within the range are certainly inside the part, and none is near an end.
+    fn contains_all_of(&self, range: Range) -> bool {
+        let [start, end] = self.ends.map(|end| end.t);
+        match self.inverse {
+            true => start - self.slack > range.max || end + self.slack < range.min,
+            false => start + self.slack < range.min && end - self.slack > range.max,
+        }
+    }
+
     /// Returns whether the point at `t` is inside the part; `None` near an end, where the part's `inside` must decide.
     fn contains(&self, t: f64) -> Option<bool> {
         let [min, max] = self.ends.map(|end| end.t);
@@ -69,43 +79,48 @@ pub(super) fn range_possibly_inside(solid: &SolidNode, ray: &Ray, range: Range) 
 /// Error of a part that can't compute the interval of a ray inside it.
 pub(super) struct UnknownInterval;
 
-/// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit; all children must
-/// be able to compute their intervals. `is_unclipped_at` returns true for a distance at which no clipping solid removes a hit.
-pub(super) fn nearest_end_and_leaf<'a>(
+/// Calls `visit` with each hit in the range on an intersection, or on a merge if `merged`, and the shape that is hit, in the
+/// order of the shapes; all children must be able to compute their intervals. `visit` returns the distance up to which
+/// further hits count.
+pub(super) fn visit_ends_on_surface<'a>(
     children: &'a [SolidNode],
     merged: bool,
     ray: &Ray,
     mut range: Range,
-    is_unclipped_at: impl Fn(f64) -> bool,
-) -> Result<Option<(End, &'a Leaf)>, UnknownInterval> {
-    let mut parts: SmallVec<[(ConvexInterval, &Leaf); 4]> = SmallVec::new();
+    mut visit: impl FnMut(End, &'a Leaf) -> ControlFlow<(), f64>,
+) -> Result<(), UnknownInterval> {
+    // Children that neither have a hit in the range nor remove one are left out.
+    let mut parts: SmallVec<[(ConvexInterval, &'a Leaf, &'a SolidNode); 4]> = SmallVec::new();
     for child in children {
         let SolidKind::Leaf(leaf) = child.kind() else { return Err(UnknownInterval) };
         let interval = ConvexInterval::inside_shape_if_known(leaf, ray).ok_or(UnknownInterval)?;
         if !merged {
             range = interval.possible_range(range);
             if range.is_empty() {
-                return Ok(None);
+                return Ok(());
+            }
+            if interval.contains_all_of(range) {
+                continue;
             }
         }
-        parts.push((interval, leaf));
+        parts.push((interval, leaf, child));
     }
-    let mut best = None;
-    for (i, &(interval, leaf)) in parts.iter().enumerate() {
-        for end in interval.ends {
-            let inside = |j: usize, other: &ConvexInterval| match other.contains(end.t) {
+    for (i, &(interval, leaf, _)) in parts.iter().enumerate() {
+        for end in interval.ends.into_iter() {
+            let inside = |(other, _, child): &(ConvexInterval, &Leaf, &SolidNode)| match other.contains(end.t) {
                 Some(inside) => inside,
-                None => children[j].inside(ray.at(end.t)),
+                None => child.inside(ray.at(end.t)),
             };
-            let is_kept = || parts.iter().enumerate().all(|(j, (other, _))| j == i || inside(j, other) != merged);
-            if range.contains(end.t) && is_kept() && is_unclipped_at(end.t) {
-                // quirk: last_part_wins
-                range.max = end.t.next_up();
-                best = Some((end, leaf));
+            let is_kept = || parts.iter().enumerate().all(|(j, other)| j == i || inside(other) != merged);
+            if range.contains(end.t) && is_kept() {
+                match visit(end, leaf) {
+                    ControlFlow::Continue(max) => range.max = range.max.min(max),
+                    ControlFlow::Break(()) => return Ok(()),
+                }
             }
         }
     }
-    Ok(best)
+    Ok(())
 }
 
 /// The hits of a ray on the children of an intersection or a merge.

@@ -8,6 +8,7 @@ use crate::math::bvh::{self, Bvh, Shaft};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::value::Family;
 use serde::Serialize;
+use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// All objects that rays can hit, and a bounding volume hierarchy over the finite ones.
@@ -34,6 +35,30 @@ enum Item {
 /// Index of the object that occluded a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocker(usize);
+
+/// Effect of an object on the light of a shadow ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShadowRole {
+    /// The object casts no shadow.
+    Ignored,
+    /// The object may transmit a part of the light.
+    Filters,
+    /// The object transmits no light.
+    Occludes,
+}
+
+/// The objects that may filter the light of one shadow ray, because the ray intersects their boxes.
+#[derive(Debug, Default)]
+pub struct LightFilters {
+    indices: SmallVec<[u32; 4]>,
+}
+
+impl LightFilters {
+    /// True if no object filters the light.
+    pub fn is_empty(&self) -> bool {
+        self.indices.is_empty()
+    }
+}
 
 /// An object that a shaft may hit.
 #[derive(Clone, Copy, Debug)]
@@ -181,33 +206,57 @@ impl Geometry {
 
     /// True if the ray hits any object in the range for which `accept` returns true.
     pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
-        self.any_with_last_occluder(ray, range, accept, &mut None)
+        let mut is_hit = false;
+        self.visit_intersected_boxes(ray, range, |i, range| {
+            let item = &self.items[i];
+            is_hit = accept(item.object()) && item.any(ray, range);
+            if is_hit { ControlFlow::Break(()) } else { ControlFlow::Continue(range.max) }
+        });
+        is_hit
     }
 
-    /// True if the ray hits any accepted object in the range. Tests the object in `before` first, which occluded an
+    /// Returns the objects that may filter the light of a shadow ray within the range, or `None` if an object occludes it
+    /// wholly; `role` returns the effect of an object by its number. Tests the object in `before` first, which occluded an
     /// earlier ray from nearby, and stores the new occluder in `before`.
-    pub fn any_with_last_occluder(
+    pub fn filters_unless_occluded(
         &self,
         ray: &Ray,
         range: Range,
-        accept: impl Fn(u32) -> bool,
+        role: impl Fn(u32) -> ShadowRole,
         before: &mut Option<Blocker>,
-    ) -> bool {
-        let meets = |item: &Item, range: Range| accept(item.object()) && item.any(ray, range);
-        if let Some(Blocker(i)) = before.take()
-            && meets(&self.items[i], range)
-        {
-            *before = Some(Blocker(i));
-            return true;
+    ) -> Option<LightFilters> {
+        if let Some(Blocker(i)) = *before {
+            let item = &self.items[i];
+            if role(item.object()) == ShadowRole::Occludes && item.any(ray, range) {
+                return None;
+            }
         }
+        *before = None;
+        let mut filters = LightFilters::default();
         self.visit_intersected_boxes(ray, range, |i, range| {
-            if meets(&self.items[i], range) {
-                *before = Some(Blocker(i));
-                return ControlFlow::Break(());
+            let item = &self.items[i];
+            match role(item.object()) {
+                ShadowRole::Occludes if item.any(ray, range) => {
+                    *before = Some(Blocker(i));
+                    return ControlFlow::Break(());
+                }
+                ShadowRole::Filters => filters.indices.push(i as u32),
+                ShadowRole::Occludes | ShadowRole::Ignored => {}
             }
             ControlFlow::Continue(range.max)
         });
-        before.is_some()
+        before.is_none().then_some(filters)
+    }
+
+    /// Appends all hits of the ray in the range on the objects that may filter its light to `out`, in no particular order.
+    pub fn add_hits_on_filters<'a>(
+        &'a self,
+        filters: &LightFilters,
+        ray: &Ray,
+        range: Range,
+        out: &mut Intersections<'a>,
+    ) {
+        filters.indices.iter().for_each(|&i| self.items[i as usize].hits(ray, range, out));
     }
 
     /// Returns true only if no ray of the shaft hits an accepted object at the distance `min` or farther away. Returns
