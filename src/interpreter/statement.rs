@@ -50,7 +50,7 @@ pub const STATEMENTS: Spec = Spec {
 impl Interpreter<'_> {
     /// Reads one statement, whose first token [`Self::peek`] has returned; returns false at the end of the file.
     pub(super) fn read_statement_unless_end(&mut self) -> Result<bool> {
-        match Reader::next(self)? {
+        match Reader::peek_next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
                 let span = self.stream.next_span();
                 self.stream.advance();

@@ -111,7 +111,7 @@ impl Interior {
     pub fn read(r: &mut dyn Reader, base: Option<&Self>) -> Result<Self> {
         let mut out = base.cloned().unwrap_or_default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(out),
                 Next::Thing(_) => match r.thing::<Interior>()? {
                     Some(declared) => out = (*declared).clone(),

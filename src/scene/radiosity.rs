@@ -156,12 +156,12 @@ impl Radiosity {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood or out of range.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_with_braces(r: &mut dyn Reader) -> Result<Self> {
         let at = r.span();
         let mut out = Self { source: at, ..Self::default() };
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => {
                     out.check_ranges(at)?;
                     return r.leave_block().map(|_| out);

@@ -57,7 +57,7 @@ impl Readable for Disc {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (center, normal, radius) = (r.vector()?, r.vector()?, r.float()?);
-        let hole = if r.next()? == Next::Value { r.float()? } else { 0.0 };
+        let hole = if r.peek_next()? == Next::Value { r.float()? } else { 0.0 };
         check_finite(span, &[center, normal], &[radius, hole])?;
         Ok(Self::new(center, normal, radius, hole))
     }

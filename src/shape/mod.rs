@@ -152,7 +152,7 @@ impl Shape {
 
     /// Reads the positional arguments of the shape with this name, which has been consumed; `None` if there is no such
     /// shape.
-    pub fn read(name: &'static str, r: &mut dyn Reader) -> Option<Result<Self>> {
+    pub fn read_params_of(name: &'static str, r: &mut dyn Reader) -> Option<Result<Self>> {
         let spec = Self::spec_of(name)?;
         Self::read_params(Next::Block(name), r).map(|shape| shape.map_err(|fault| with_usage(fault, spec)))
     }

@@ -136,7 +136,7 @@ fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
         check_finite(start, &[point, normal], &[])?;
         return Ok(Plane::through_point(point, normal));
     }
-    if r.next()? != Next::Word("span") {
+    if r.peek_next()? != Next::Word("span") {
         return Err(r.unexpected("`normal` or `span` after the `point` of a `plane`").into());
     }
     r.take_token()?;

@@ -66,10 +66,10 @@ impl ImageMap {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut bitmap = Bitmap::read(r)?;
+        let mut bitmap = Bitmap::read_picture(r)?;
         let mut clearness = Clearness::default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
                 next if bitmap.read_bitmap_word(r, next)? => {}

@@ -70,7 +70,7 @@ impl Pigment {
             pigment.pattern.uv = on;
         }
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Word("uv_mapping") if after_name => pigment.reset_by_uv_mapping(r)?,
                 next => pigment.read_element::<Pigment>(r, next, defaults)?,

@@ -202,7 +202,7 @@ impl Interpreter<'_> {
                 return self.unexpected_token(block);
             }
             Ok(_) => {
-                let is_object = Reader::next(self) == Ok(Next::Thing("object"));
+                let is_object = Reader::peek_next(self) == Ok(Next::Thing("object"));
                 let d = self.unexpected_token(&format!("a word of `{block}`"));
                 if is_object && matches!(block, "union" | "merge" | "intersection" | "difference") {
                     let help = format!(

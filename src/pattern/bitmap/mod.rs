@@ -75,10 +75,10 @@ impl Bitmap {
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_picture(r: &mut dyn Reader) -> Result<Self> {
         let (mut format, mut named) = (None, None);
         // quirk: old_picture_orientation
-        if r.next()? == Next::Value {
+        if r.peek_next()? == Next::Value {
             match r.value()? {
                 (Value::Text(name), at) => named = Some((name.to_string(), at)),
                 (_, at) => {
@@ -90,7 +90,7 @@ impl Bitmap {
                 }
             }
         }
-        while let Next::Word(word) = r.next()?
+        while let Next::Word(word) = r.peek_next()?
             && FORMATS.contains(&word)
         {
             if let Some((_, reason)) = NO_PICTURES.iter().find(|(format, _)| *format == word) {
@@ -101,7 +101,7 @@ impl Bitmap {
             r.take_token()?;
             format = Some(word);
         }
-        let picture = match (named, r.next()?) {
+        let picture = match (named, r.peek_next()?) {
             (Some((name, at)), _) => r.open_picture(&name, at, format)?,
             (None, Next::Function) => read_function_picture(r)?,
             (None, _) => {
@@ -153,7 +153,7 @@ fn read_interpolation(r: &mut dyn Reader) -> Result<PixelInterpolation> {
 /// 1), with 16 bits per channel.
 fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.read_sized_function()? else {
+    let Some(([width, height], thing)) = r.read_function_if_sized()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function as a picture needs a size")
             .help("`function 200, 200 { … }`")
             .into();

@@ -80,10 +80,10 @@ impl ImagePattern {
         block: &str,
         other: &mut dyn FnMut(&mut dyn Reader, Next) -> Result<bool>,
     ) -> Result<Self> {
-        let mut bitmap = Bitmap::read(r)?;
+        let mut bitmap = Bitmap::read_picture(r)?;
         let mut channel = Channel::Gray;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next if read_row(CHANNEL_ROWS, &mut channel, next, r)? => {}
                 next if bitmap.read_bitmap_word(r, next)? || other(r, next)? => {}

@@ -183,7 +183,7 @@ impl Readable for PlanarWarp {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let (mut orientation, mut distance) = (DVec3::Z, 0.0);
-        if r.next()? == Next::Value {
+        if r.peek_next()? == Next::Value {
             orientation = r.vector()?.normalize_or_zero();
             distance = r.float()?;
         }

@@ -32,11 +32,11 @@ impl ObjectRadiosity {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_with_braces(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self { importance: 1.0 };
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return r.leave_block().map(|_| out),
                 next if read_row(RADIOSITY_ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&OBJECT_RADIOSITY)),

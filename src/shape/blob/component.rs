@@ -172,7 +172,7 @@ impl Component {
     pub(super) fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
         let mut cube = Cube::cube_around_axis(self.axis);
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             match next {
                 Next::End => {
                     self.widening = cube.widest_half_width();

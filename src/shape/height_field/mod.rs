@@ -115,7 +115,7 @@ impl HeightField {
 /// Reads a height field from `function W, H { … }`, row by row from z = 0 on.
 fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.read_sized_function()? else {
+    let Some(([width, height], thing)) = r.read_function_if_sized()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function that gives heights needs a size")
             .help("`function 200, 200 { … }`")
             .into();
@@ -165,13 +165,13 @@ impl Readable for HeightField {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut format = None;
-        while let Next::Word(word) = r.next()?
+        while let Next::Word(word) = r.peek_next()?
             && FORMATS.contains(&word)
         {
             r.take_token()?;
             format = Some(word);
         }
-        match r.next()? {
+        match r.peek_next()? {
             Next::Function => read_function(r),
             _ => {
                 let (at, name) = (r.span(), r.text()?);

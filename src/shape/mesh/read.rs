@@ -167,7 +167,7 @@ impl Mesh {
             }
         }
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             match next {
                 Next::End => break,
                 Next::Word("uv_vectors") => {
@@ -180,7 +180,7 @@ impl Mesh {
                 Next::Block("texture_list") => {
                     r.take_token()?;
                     for slot in &mut texture_weights {
-                        let next = r.next()?;
+                        let next = r.peek_next()?;
                         *slot = match paints.read_listed_texture(next, r)? {
                             Some(slot) => slot,
                             None => return Err(r.unexpected("a texture for each of the three corners").into()),
@@ -294,7 +294,7 @@ impl Mesh2 {
             "uv_vectors" => mesh.uvs = read_list(r, |r| r.vector2())?,
             "texture_list" => {
                 *textures = read_list(r, |r| {
-                    let next = r.next()?;
+                    let next = r.peek_next()?;
                     paints.read_listed_texture(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
                 })?;
             }
@@ -399,7 +399,7 @@ fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Trip
     let mut painted: Vec<[u32; 3]> = vec![];
     // Number of textures of the last face.
     let mut given = 0;
-    while r.next()? == Next::Value {
+    while r.peek_next()? == Next::Value {
         match r.value()? {
             (Value::Float(number), span) => {
                 if given == 3 || faces.is_empty() {

@@ -30,7 +30,7 @@ impl Formula {
     /// # Errors
     /// A diagnostic for anything but such a function.
     pub fn read(r: &mut dyn Reader, names: &str) -> Result<Self> {
-        if !matches!(r.next()?, Next::Function | Next::Thing("function")) {
+        if !matches!(r.peek_next()?, Next::Function | Next::Thing("function")) {
             return Err(r.unexpected(&format!("`function {{ … }}` of {names}")).into());
         }
         let (thing, at) = r.take_thing()?;
@@ -94,7 +94,7 @@ impl Container {
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         r.take_token()?;
-        let container = match r.next()? {
+        let container = match r.peek_next()? {
             Next::Block("box") => {
                 r.take_token()?;
                 Self::Box(Cuboid::read_finite(r)?)
