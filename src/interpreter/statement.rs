@@ -228,7 +228,7 @@ impl Interpreter<'_> {
 
     /// Returns the span of a comparison sign after the next operands, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_comparison())
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_condition())
         {
             self.stream.split_next_element();
         }

@@ -122,7 +122,7 @@ impl Field for Slope {
             }
         };
         // wraps before the frequency applies (quirk: slope_wraps_first)
-        if (0.0..=1.0).contains(&value) { value } else { fp::fraction(value) }
+        if (0.0..=1.0).contains(&value) { value } else { fp::fraction_above_floor(value) }
     }
 }
 

@@ -121,7 +121,7 @@ impl Kernel for Disc {
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let (e1, e2) = self.normal.any_orthonormal_pair();
         let d = p - self.center;
-        let u = fp::angle_in_turns(d.dot(e2), d.dot(e1));
+        let u = fp::positive_angle_in_turns(d.dot(e2), d.dot(e1));
         DVec2::new(u, d.length() / self.radius)
     }
 

@@ -269,10 +269,10 @@ impl Pigment {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// True if a surface with this pigment counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
-    pub fn counts_as_opaque(&self) -> bool {
+    /// True if POV-Ray lets a surface with this pigment cast a full shadow (see [`ImageMap::is_opaque_in_blend`]).
+    pub fn is_opaque_for_shadows(&self) -> bool {
         match &self.paint {
-            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::counts_as_opaque)),
+            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::is_opaque_in_blend)),
             _ => self.is_opaque(),
         }
     }

@@ -349,7 +349,7 @@ impl Interpreter<'_> {
         };
         let names: Vec<String> = endings.iter().map(|ending| format!("{name}.{ending}")).collect();
         let search = &self.inputs.options.search;
-        let found = names.iter().find(|name| search.find(self.inputs.files, name).is_some());
+        let found = names.iter().find(|name| search.find_exact(self.inputs.files, name).is_some());
         self.find_readable_file(found.unwrap_or(&names[0]), at)
     }
 

@@ -14,7 +14,7 @@ pub use texels::{Texels, color_curve};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, ResultType};
-use crate::image_io::{Picture, Pixels, Samples, Stored, wrap_to_u16};
+use crate::image_io::{Picture, Pixels, Samples, Stored, scale_and_wrap_to_u16};
 use crate::math::DVec3;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Value, ValueKind, WordSpec, downcast};
@@ -71,7 +71,7 @@ pub struct Bitmap {
 }
 
 impl Bitmap {
-    /// Reads the picture of a bitmap: the file's name, or a function with a size.
+    /// Reads the picture of a bitmap: the file's name, or a function with a size; the words after it are not read.
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.
@@ -171,7 +171,7 @@ fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
         // A number is a gray; alpha is 1 minus `transmit`.
         let [r, g, b] = if color { [c[0], c[1], c[2]] } else { [c[0]; 3] }.map(|x| x as f32);
         let alpha = if color { 1.0 - c[4] as f32 } else { 1.0 };
-        [r, g, b, alpha].map(|x| f32::from(wrap_to_u16(x)) / 65535.0)
+        [r, g, b, alpha].map(|x| f32::from(scale_and_wrap_to_u16(x)) / 65535.0)
     }));
     let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples) };
     Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None, gray_bytes: false }))
