@@ -58,7 +58,7 @@
 //! let sources = Sources::new(Arc::new(files));
 //! let file = durer::load(&sources, Path::new("main.scene")).unwrap();
 //! let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
-//! let options = BuildOptions { sandbox: Sandbox::allow_search_path(&search), search, ..BuildOptions::default() };
+//! let options = BuildOptions { sandbox: Sandbox::for_search_path(&search), search, ..BuildOptions::default() };
 //! let built = durer::build(&sources, file, &options, &mut |_| {});
 //! assert!(built.world.is_some());
 //! assert_eq!(sources.read_files().len(), 2);
@@ -288,9 +288,9 @@ pub fn build_with(
     debug: &mut dyn FnMut(&str),
 ) -> Built {
     let mut built = options.cancel.scope(|| {
-        let start = options.host.elapsed();
+        let start = options.host.monotonic_time();
         let outcome = interpreter::interpret_with(parsed, sources, file, options, debug);
-        let parse_time = options.host.elapsed().saturating_sub(start);
+        let parse_time = options.host.monotonic_time().saturating_sub(start);
         lower_outcome(outcome, parse_time, sources, file, options, keep)
     });
     if !built.limit_reached && options.cancel.is_cancelled() {
@@ -327,7 +327,7 @@ fn lower_outcome(
         diagnostics.extend(advice::scene_warnings(scene, sources));
     }
     advice::remove_doubtful_outside_folder(&mut diagnostics, sources, file);
-    let start = options.host.elapsed();
+    let start = options.host.monotonic_time();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,
         Err(fault) => {
@@ -342,7 +342,7 @@ fn lower_outcome(
         (true, Keep::World) => scene.take().map(world::lower_and_free),
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
-    let build_time = options.host.elapsed().saturating_sub(start);
+    let build_time = options.host.monotonic_time().saturating_sub(start);
     diagnostics.extend(world.iter().flat_map(advice::world_warnings));
     Built {
         scene,
@@ -406,7 +406,7 @@ mod tests {
             let file = load(&sources, Path::new("main.pov")).unwrap();
             let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
             let options =
-                interpreter::Options { sandbox: Sandbox::allow_search_path(&search), search, ..Default::default() };
+                interpreter::Options { sandbox: Sandbox::for_search_path(&search), search, ..Default::default() };
             let mut printed = String::new();
             let built = build(&sources, file, &options, &mut |text| printed.push_str(text));
             assert_eq!(built.diagnostics.iter().map(|d| &d.message).collect::<Vec<_>>(), [""; 0]);

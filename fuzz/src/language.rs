@@ -119,7 +119,7 @@ fn scene(bytes: &[u8]) -> Option<(Sources, FileId, BuildOptions)> {
     let file = durer::load_bytes(&sources, "main.pov", bytes).ok()?;
     let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
     let options = BuildOptions {
-        sandbox: Sandbox::allow_search_path(&search),
+        sandbox: Sandbox::for_search_path(&search),
         search,
         size: (8, 8),
         max_steps: 3_000,
@@ -150,8 +150,8 @@ fn check_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) {
 struct MeteredHost(LocalHost);
 
 impl Host for MeteredHost {
-    fn elapsed(&self) -> Duration {
-        self.0.elapsed()
+    fn monotonic_time(&self) -> Duration {
+        self.0.monotonic_time()
     }
 
     /// Returns the same time in each run, so that a fault can be repeated.
@@ -163,7 +163,7 @@ impl Host for MeteredHost {
         Some(allocated_bytes() as u64)
     }
 
-    fn counts_memory(&self) -> bool {
+    fn has_cheap_resident_bytes(&self) -> bool {
         true
     }
 }

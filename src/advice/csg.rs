@@ -58,13 +58,14 @@ pub(super) fn single_object_union_warnings(scene: &Scene, sources: &Sources) -> 
 
 fn written_csg_op(object: &Object) -> Option<CsgOp> {
     match &object.kind {
-        ObjectKind::Csg(op, _) if is_written(object) => Some(*op),
+        ObjectKind::Csg(op, _) if is_written_as_csg(object) => Some(*op),
         _ => None,
     }
 }
 
-/// True if the author wrote a CSG object. (A shape with a number that is not finite also becomes an empty union.)
-fn is_written(object: &Object) -> bool {
+/// True if the author wrote the object with the word of a CSG object. (A shape with a number that is not finite also
+/// becomes an empty union.)
+fn is_written_as_csg(object: &Object) -> bool {
     matches!(object.word, "union" | "composite" | "merge" | "intersection" | "difference")
 }
 

@@ -7,8 +7,8 @@ use crate::render;
 use crate::source::Span;
 use crate::world::{LayerColor, World};
 
-/// Returns the warning that explains a black picture.
-pub(super) fn black_picture_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+/// Returns the warning that explains why the picture, which is known to be black, is black; `None` for an empty world.
+pub(super) fn explain_black_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
     if world.geometry.is_empty() {
         return None;
     }

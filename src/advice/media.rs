@@ -41,7 +41,7 @@ pub(super) fn unlit_media_warning(world: &World) -> Option<Diagnostic> {
 pub(super) fn empty_density_warnings(world: &World) -> Vec<Diagnostic> {
     let mut found: Vec<Span> = vec![];
     for item in world.geometry.items() {
-        let interior = item.shape_name_and_part().map(|(_, part)| world.parts[part as usize].interior);
+        let interior = item.first_shape_name_and_part().map(|(_, part)| world.parts[part as usize].interior);
         let media = interior.and_then(|interior| world.media.get(&interior)).into_iter().flatten();
         for medium in media.filter(|medium| medium.is_empty_in(&item.bounds())) {
             if !found.contains(&medium.source) && found.len() < MAX_WARNINGS {

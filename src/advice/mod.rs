@@ -45,8 +45,8 @@ pub fn time_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic
     media.into_iter().chain(global_light::slow_global_light_warning(world, options)).collect()
 }
 
-/// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.
-pub fn unusual_text_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
+/// Returns warnings about parts of the scene that are unusual but mostly intended, for `--warn doubtful`.
+pub fn doubtful_scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::view_along_sky_warning(scene).into_iter().chain(csg::single_object_union_warnings(scene, sources)).collect()
 }
 
@@ -91,7 +91,7 @@ pub fn picture_warnings(world: &World, options: &render::Options, circumstances:
     if !circumstances.one_of_many {
         out.extend(
             unseen::no_object_visible_warning(world, options)
-                .or_else(|| circumstances.black.then(|| dark::black_picture_warning(world, options)).flatten()),
+                .or_else(|| circumstances.black.then(|| dark::explain_black_picture(world, options)).flatten()),
         );
     }
     out
@@ -104,7 +104,7 @@ fn is_visible_to_camera(world: &World, object: u32) -> bool {
 
 /// Returns the word and the span of an object's first shape.
 fn first_shape_and_span(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
-    item.shape_name_and_part().map(|(word, part)| (word, span_of_part(world, part)))
+    item.first_shape_name_and_part().map(|(word, part)| (word, span_of_part(world, part)))
 }
 
 /// Returns the word and the span of a hit shape.

@@ -89,7 +89,7 @@ impl Fog {
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut fog = Self::default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(fog),
                 Next::Thing("fog") => {
                     if let Some(declared) = r.thing::<Fog>()? {

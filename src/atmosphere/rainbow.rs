@@ -108,7 +108,7 @@ impl Rainbow {
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let mut rainbow = Self::default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Thing("rainbow") => {
                     if let Some(declared) = r.thing::<Rainbow>()? {

@@ -63,7 +63,7 @@ impl SkySphere {
     pub fn read(r: &mut dyn Reader, defaults: &Texture, source: Span) -> Result<Self> {
         let mut sky = Self::default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Thing("sky_sphere") => {
                     if let Some(declared) = r.thing::<SkySphere>()? {

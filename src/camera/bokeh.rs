@@ -44,12 +44,12 @@ impl Bokeh {
         Self { rows: cumulative_shares(&sums), cells: weights.iter().map(|row| cumulative_shares(row)).collect() }
     }
 
-    /// Returns a point of the lens, from -1 to 1 to the right and up, for two numbers in [0, 1): inverts the
-    /// distribution of the rows, then of the cells of a row (Pharr, Jakob, Humphreys: Physically Based Rendering, 2016,
-    /// 13.6.7). Neighbours stay neighbours.
-    pub(super) fn sample_lens_square(&self, random: DVec2) -> DVec2 {
-        let (row, y) = invert_distribution(&self.rows, random.y);
-        let (_, x) = invert_distribution(&self.cells[row], random.x);
+    /// Returns a point of the lens, from -1 to 1 to the right and up. `unit_square_sample` has two numbers in [0, 1).
+    /// They invert the distribution of the rows, then of the cells of a row (Pharr, Jakob, Humphreys: Physically Based
+    /// Rendering, 2016, 13.6.7). Neighbours stay neighbours.
+    pub(super) fn sample_signed_lens_square(&self, unit_square_sample: DVec2) -> DVec2 {
+        let (row, y) = cell_and_overall_position(&self.rows, unit_square_sample.y);
+        let (_, x) = cell_and_overall_position(&self.cells[row], unit_square_sample.x);
         // The pigment's y axis points down.
         DVec2::new(2.0 * x - 1.0, 1.0 - 2.0 * y)
     }
@@ -59,7 +59,7 @@ impl Bokeh {
     fn mean_position(&self) -> DVec2 {
         let n = 200;
         let at = |i: usize| (i as f64 + 0.5) / n as f64;
-        let sum: DVec2 = (0..n * n).map(|i| self.sample_lens_square(DVec2::new(at(i % n), at(i / n)))).sum();
+        let sum: DVec2 = (0..n * n).map(|i| self.sample_signed_lens_square(DVec2::new(at(i % n), at(i / n)))).sum();
         sum / (n * n) as f64
     }
 }
@@ -80,7 +80,7 @@ fn cumulative_shares(weights: &[f64]) -> Vec<f64> {
 
 /// Finds the cell whose range of cumulative shares contains `share`; returns its index and the position along all
 /// cells, from 0 to 1.
-fn invert_distribution(shares: &[f64], share: f64) -> (usize, f64) {
+fn cell_and_overall_position(shares: &[f64], share: f64) -> (usize, f64) {
     let cells = shares.len() - 1;
     let cell = shares.partition_point(|start| *start <= share).clamp(1, cells) - 1;
     let width = shares[cell + 1] - shares[cell];
@@ -108,7 +108,7 @@ mod tests {
     fn what_is_no_light_is_as_good_as_any() {
         for none in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let lens = Bokeh::from_brightness(|_| none);
-            assert_eq!(lens.sample_lens_square(DVec2::splat(0.25)), DVec2::new(-0.5, 0.5), "{none}");
+            assert_eq!(lens.sample_signed_lens_square(DVec2::splat(0.25)), DVec2::new(-0.5, 0.5), "{none}");
         }
     }
 }

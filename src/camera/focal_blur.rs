@@ -152,7 +152,7 @@ impl Lens {
         let focus = ray.at(self.distance / ray.dir.dot(ahead));
         let at = self.bokeh.as_ref().map_or_else(
             || unit_square_to_disc(unit_square_sample),
-            |bokeh| bokeh.sample_lens_square(unit_square_sample),
+            |bokeh| bokeh.sample_signed_lens_square(unit_square_sample),
         ) * self.radius;
         let origin = ray.origin + right * at.x + up * at.y;
         Ray::new(origin, (focus - origin).normalize_or(ray.dir))

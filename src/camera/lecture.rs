@@ -92,11 +92,11 @@ pub(super) fn lecture_window(
     }
 }
 
-/// Reads a camera's angle of view in degrees.
-pub(super) fn read_field_of_view_degrees(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
+/// Reads a camera's angle of view in degrees, between 0 and 180.
+pub(super) fn read_field_of_view_degrees(word: &str, r: &mut dyn Reader) -> Result<f64> {
     let (at, angle) = (r.span(), r.float()?);
     if angle > 0.0 && angle < 180.0 {
-        return Ok(Some(angle));
+        return Ok(angle);
     }
     let message = format!("`{word}` lies between 0 and 180 degrees, this is {angle}");
     Diagnostic::err(codes::BAD_CAMERA, at, message)

@@ -71,7 +71,7 @@ impl PovrayCamera {
     pub(super) fn read_mesh_camera(&mut self, r: &mut dyn Reader, read_mesh: ReadMesh) -> Result<()> {
         let mut camera = MeshCamera::read_rays_and_distribution(r)?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Block("mesh" | "mesh2") => camera.meshes.push(read_mesh(r)?),
                 Next::Word("smooth") if camera.distribution == Distribution::Uv => {

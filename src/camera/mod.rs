@@ -83,7 +83,7 @@ impl Camera {
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Word(word) if LECTURE.has_effect(word) && (word != "up" || lecture.is_some()) => {
                     read_row(LECTURE_ROWS, lecture.get_or_insert_default(), Next::Word(word), r)?;
@@ -144,7 +144,7 @@ impl Camera {
                 Camera::Lecture(camera) => camera.transform = camera.transform.then(&step),
             }
         }
-        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::camera_words()).into()) }
+        if r.peek_next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::camera_words()).into()) }
     }
 
     /// Lowers the camera; `noise` and `waves` are the scene's settings for patterns, used by the camera's `normal`.
@@ -167,7 +167,7 @@ impl Camera {
 fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigment>>> {
     let mut pigment = None;
     loop {
-        match r.next()? {
+        match r.peek_next()? {
             Next::End => return Ok(pigment),
             Next::Thing("pigment") => pigment = r.thing::<Pigment>()?,
             Next::Block("pigment") => {

@@ -105,9 +105,9 @@ pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
         .sets(|s, r| set(&mut s.center, r.vector())),
     word("up", Vector, "<0, 1, 0>", "which way is up").sets(|s, r| set(&mut s.up, r.vector())),
     word("fov_x", Float, "60", "how much is seen from left to right, in degrees; or by `fov_y` and square pixels")
-        .sets(|s, r| set(&mut s.fov_x, read_field_of_view_degrees("fov_x", r))),
+        .sets(|s, r| set(&mut s.fov_x, read_field_of_view_degrees("fov_x", r).map(Some))),
     word("fov_y", Float, "", "how much is seen from bottom to top, in degrees; or by `fov_x` and square pixels")
-        .sets(|s, r| set(&mut s.fov_y, read_field_of_view_degrees("fov_y", r))),
+        .sets(|s, r| set(&mut s.fov_y, read_field_of_view_degrees("fov_y", r).map(Some))),
 ];
 
 /// Table of the words that the block of the lecture's camera takes, for parser, messages and manual. The camera is an addition

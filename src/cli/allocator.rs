@@ -132,8 +132,8 @@ impl MeteredHost {
 }
 
 impl Host for MeteredHost {
-    fn elapsed(&self) -> Duration {
-        self.machine.elapsed()
+    fn monotonic_time(&self) -> Duration {
+        self.machine.monotonic_time()
     }
 
     fn since_1970(&self) -> Duration {
@@ -149,7 +149,7 @@ impl Host for MeteredHost {
         }
     }
 
-    fn counts_memory(&self) -> bool {
+    fn has_cheap_resident_bytes(&self) -> bool {
         allocated_bytes() != 0
     }
 }

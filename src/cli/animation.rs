@@ -36,8 +36,8 @@ impl Animation {
         Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
     }
 
-    /// Returns the numbers of the frames that are rendered.
-    pub fn frames(&self) -> impl Iterator<Item = u32> + use<> {
+    /// Returns the numbers of the frames that this run renders.
+    pub fn frames_to_render(&self) -> impl Iterator<Item = u32> + use<> {
         (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
     }
 
@@ -118,7 +118,7 @@ mod tests {
     fn a_subset_keeps_the_clock() {
         let all = frames("1-30");
         let part = all.restricted_to("7-9:2".parse().unwrap());
-        assert_eq!(part.frames().collect::<Vec<_>>(), [7, 9]);
+        assert_eq!(part.frames_to_render().collect::<Vec<_>>(), [7, 9]);
         assert_eq!(part.timing(7), all.timing(7));
         assert_eq!(part.digits, 2);
         assert!(!part.has(31) && !part.has(0) && part.has(30));

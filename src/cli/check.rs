@@ -72,7 +72,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
     let mut built = session::build(console, &parsed, &sources, file, &options, keep);
     drop(deadline);
     let scene = built.scene.as_ref().filter(|_| doubtful);
-    built.diagnostics.extend(scene.map(|scene| advice::unusual_text_warnings(scene, &sources)).unwrap_or_default());
+    built.diagnostics.extend(scene.map(|scene| advice::doubtful_scene_warnings(scene, &sources)).unwrap_or_default());
     built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
@@ -93,7 +93,7 @@ fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &
     match args.format {
         CheckFormat::Human => console.report(sources, diagnostics),
         CheckFormat::Short => console.report_short_to_stdout(sources, diagnostics)?,
-        CheckFormat::Json => console.report_json(sources, diagnostics)?,
+        CheckFormat::Json => console.report_json_to_stdout(sources, diagnostics)?,
     }
     Ok(())
 }

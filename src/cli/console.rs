@@ -148,8 +148,9 @@ impl Console {
         self.dialect == Dialect::Povray && !self.terminal
     }
 
-    /// Writes a line that programs expect from POV-Ray to stderr; only for POV-Ray's command line.
-    pub fn print_line_as_povray(&self, line: &str) {
+    /// Writes a line that programs expect from POV-Ray to stderr, if [`Self::has_povray_lines`]; copies it to the text
+    /// files in any case.
+    pub fn print_line_for_povray_clients(&self, line: &str) {
         self.copy_to_text_files(Stream::Render, line);
         if self.has_povray_lines() {
             print_message(line);
@@ -172,10 +173,10 @@ impl Console {
         let errors = diagnostics.iter().filter(of(Severity::Error));
         let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| self.prints_warnings());
         let wanted: Vec<_> = errors.chain(warnings).collect();
-        let print_line_as_povray =
+        let povray_line =
             |d| if self.has_povray_lines() { client_lines::povray_diagnostic_line(sources, d) } else { String::new() };
         let mut text: String =
-            wanted.iter().map(|d| print_line_as_povray(d) + &draw::render(d, sources, self.style) + "\n").collect();
+            wanted.iter().map(|d| povray_line(d) + &draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());
         self.add_to_message_count(count);
         if wanted.len() > 1 && !self.among_several {
@@ -212,7 +213,7 @@ impl Console {
     }
 
     /// Writes diagnostics to stdout for programs, one JSON object a line.
-    pub fn report_json(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
+    pub fn report_json_to_stdout(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         diagnostics.iter().try_for_each(|d| self.write_json_to_stdout(&as_json(sources, d)))
     }
 

@@ -45,7 +45,7 @@ pub fn read_ini(text: &str) {
 pub fn parse_command_line(text: &str) {
     let words: Vec<OsString> = std::iter::once("durer").chain(text.lines()).map(OsString::from).collect();
     let sources = Sources::new(Arc::new(Memory::default()));
-    if unknown::check(&words).is_ok() {
+    if unknown::check_command_name(&words).is_ok() {
         parse_translated(povray::translate(&sources, words), &sources);
     }
 }
@@ -76,8 +76,7 @@ pub fn use_light_file(bytes: &[u8]) {
         let sources = Sources::new(Arc::new(files));
         let Ok(scene) = crate::load(&sources, Path::new("scene.pov")) else { continue };
         let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
-        let options =
-            interpreter::Options { sandbox: Sandbox::allow_search_path(&search), search, ..Default::default() };
+        let options = interpreter::Options { sandbox: Sandbox::for_search_path(&search), search, ..Default::default() };
         let world = crate::build(&sources, scene, &options, &mut |_| {}).world.expect("the scene has no errors");
         render::render(&world, &render::Options::new(6, 4), &Unwatched).expect("the picture is small");
     }

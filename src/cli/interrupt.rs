@@ -120,8 +120,9 @@ pub fn received_end_signal() -> Option<Signal> {
     SIGNALS.iter().find(|signal| signal.number as usize == number).copied()
 }
 
-/// Waits until cancelled work, which has noticed the cancellation, has stored its results and ended.
-pub fn await_cancelled_work() {
+/// Records that cancelled work has noticed the cancellation, so that the process does not end before the work's last
+/// messages and writes. Returns at once.
+pub fn acknowledge_cancellation() {
     NOTICED.store(true, SeqCst);
 }
 

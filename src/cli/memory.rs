@@ -60,7 +60,7 @@ pub fn default_memory_limit() -> Option<u64> {
 
 /// Returns the memory in bytes above which the process ends at once, whatever it is doing: more than the interpreter's
 /// limit, whose messages have a position in the text. Without `--max-memory`, most of the free memory.
-pub fn memory_limit_ending_process(limit: Option<u64>) -> Option<u64> {
+pub fn hard_memory_limit_bytes(limit: Option<u64>) -> Option<u64> {
     limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| free_memory().map(|free| free / 20 * 19))
 }
 

@@ -66,7 +66,7 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
             Err(failure) => Err(failure),
         };
         let exit = exit.unwrap_or_else(|failure| console.print_failure(failure));
-        console.print_line_as_povray(client_lines::ending_lines(exit));
+        console.print_line_for_povray_clients(client_lines::ending_lines(exit));
         exit
     });
     ExitCode::from(exit.number())
@@ -76,7 +76,7 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
 /// settings for which durer has no option.
 fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
     if !povray::is_named_povray(&words) {
-        unknown::check(&words)?;
+        unknown::check_command_name(&words)?;
     }
     if povray::asks_version(&words) {
         print_message(client_lines::BANNER);
@@ -97,7 +97,7 @@ fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Contex
     let Cli { common, command } = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
     *console = Console::new(&common).with_dialect(dialect);
     *console = console.clone().with_text_output(&text_output)?;
-    console.print_line_as_povray(client_lines::BANNER);
+    console.print_line_for_povray_clients(client_lines::BANNER);
     let warns_of_idle = match &command {
         Command::Render(args) => !args.warn.is_empty(),
         Command::Check(args) => args.warn.contains(&args::Warn::Options),

@@ -34,7 +34,7 @@ pub struct IniFile {
 }
 
 /// Reads the INI file `input`; `None` if `input` is not an INI file. `scene` holds the options of the command line.
-/// With `includes_idle_warnings`, the warnings include options without effect.
+/// With `warns_of_ineffective_options`, the warnings include options without effect.
 ///
 /// # Errors
 /// The errors and warnings of a broken INI file.

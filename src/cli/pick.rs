@@ -109,10 +109,10 @@ fn describe_pixel(
     Ok(pixel.in_words(picked.as_ref(), outermost_index))
 }
 
-/// Describes a pixel of a finished picture for a person; `color` is the pixel's colour.
+/// Describes a pixel of a finished picture for a person; `linear_rgb` is the pixel's colour in linear light.
 #[cfg(feature = "watch")]
-pub(super) fn pixel_in_words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3]) -> String {
-    PixelReport { sources, built: None, color }.in_words(picked, None)
+pub(super) fn pixel_in_words(sources: &Sources, picked: Option<&Picked>, linear_rgb: [f64; 3]) -> String {
+    PixelReport { sources, built: None, color: linear_rgb }.in_words(picked, None)
 }
 
 /// Returns the colour of one pixel without anti-aliasing.
@@ -221,10 +221,10 @@ impl PixelReport<'_> {
     }
 }
 
-/// Returns a colour in the notation of painting programs: `#ff8000`.
-fn hex_color(color: [f64; 3]) -> String {
+/// Encodes a colour of linear light as sRGB, in the notation of painting programs: `#ff8000`.
+fn hex_color(linear_rgb: [f64; 3]) -> String {
     let byte = |x: f64| (transfer::srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
-    let [r, g, b] = color.map(byte);
+    let [r, g, b] = linear_rgb.map(byte);
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 

@@ -14,7 +14,7 @@ use super::session;
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::cancel::CancelToken;
-use crate::scene::{LightFile, LightKind, PreparedLight, SaveFile, is_light_file};
+use crate::scene::{LightFile, LightKind, PreparedLight, SaveFile, is_light_file_or_empty};
 use crate::source::{Disk, Files, Sources, Span};
 use crate::world::World;
 use crate::{Keep, advice};
@@ -88,7 +88,7 @@ fn default_output(input: &Path) -> PathBuf {
 
 /// Checks that an existing output file contains photons or radiosity samples, so that no other file is replaced.
 fn check_replaces_only_light(output: &Path) -> Result<()> {
-    if Disk.exists(output) && !Disk.read(output).is_ok_and(|bytes| is_light_file(&bytes)) {
+    if Disk.exists(output) && !Disk.read(output).is_ok_and(|bytes| is_light_file_or_empty(&bytes)) {
         let text = format!("`{}` exists, and durer did not save it as light", output.display());
         let help = "name another file with `-o`, or remove the file";
         return Err(Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, text).help(help))));

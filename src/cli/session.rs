@@ -128,7 +128,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
 
 /// Makes the process end if it needs clearly more than `--max-memory`, or by default most of the free memory.
 pub fn enforce_memory_limit(limit: Option<Bytes>) {
-    allocator::end_process_above_bytes(memory::memory_limit_ending_process(limit.map(|bytes| bytes.0)));
+    allocator::end_process_above_bytes(memory::hard_memory_limit_bytes(limit.map(|bytes| bytes.0)));
 }
 
 /// Default of the option `--aa`, the threshold of anti-aliasing.

@@ -43,7 +43,7 @@ const OTHERS: &[(&str, &str)] = &[
 ];
 
 /// Returns an error if the first word looks like a command but is neither a command nor a file.
-pub fn check(words: &[OsString]) -> Result<(), Failure> {
+pub fn check_command_name(words: &[OsString]) -> Result<(), Failure> {
     let Some((at, word)) = first_index_and_word(words) else { return Ok(()) };
     let command = commands();
     let is_plain = word.starts_with(char::is_alphabetic) && !word.contains(['=', '.', '/', '\\', '[']);

@@ -72,7 +72,7 @@ impl Color {
         self.rgb * self.filter + self.transmit
     }
 
-    /// Returns self + t·other, for all five numbers of a colour.
+    /// Returns self + factor·other, for all five numbers of a colour.
     pub fn plus_scaled(self, other: Color, factor: f64) -> Color {
         Color {
             rgb: self.rgb + other.rgb * factor,

@@ -92,7 +92,7 @@ impl Report {
         let lines = file.map(|id| Lines::new(sources, id, d));
         let local = |span: Span| {
             let (id, range) = sources.locate(span).filter(|(id, _)| Some(*id) == file)?;
-            lines.as_ref().map(|lines| lines.clip_to_shown_lines(shortened_range(sources.text(id), range)))
+            lines.as_ref().map(|lines| lines.clip_to_shown_lines(range_or_first_line(sources.text(id), range)))
         };
         let label = |(i, l): (usize, &Label)| {
             let range = local(l.span)?;
@@ -182,7 +182,7 @@ impl Lines {
             .iter()
             .filter_map(|l| sources.locate(l.span))
             .filter(|(id, _)| *id == file)
-            .map(|(_, range)| shortened_range(text, range))
+            .map(|(_, range)| range_or_first_line(text, range))
             .collect();
         let first = ranges.iter().map(|r| r.start).min().unwrap_or(0);
         let last = ranges.iter().map(|r| r.end).max().unwrap_or(0);
@@ -211,7 +211,7 @@ impl Lines {
 const LINE_ENDS: [char; 2] = ['\n', '\r'];
 
 /// Returns the byte range of a label, or that of its first line if the label has too many lines.
-fn shortened_range(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
+fn range_or_first_line(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
     let covered = &text[range.clone()];
     match covered.match_indices(LINE_ENDS).nth(MAX_LINES) {
         Some(_) => range.start..range.start + covered.find(LINE_ENDS).unwrap_or(covered.len()),

@@ -57,7 +57,7 @@ pub fn find_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<F
     let (mut fonts, mut places) = (Database::new(), vec![]);
     for path in paths.iter().filter(|path| files.may_read(path)) {
         // A file that is not a font has no family.
-        let Ok(bytes) = files.inspect(path) else { continue };
+        let Ok(bytes) = files.read_unrecorded(path) else { continue };
         add_faces(&mut fonts, bytes, &mut places, |number| FontLocation::File(path.clone(), number));
     }
     add_faces(&mut fonts, Font::OWN.to_vec(), &mut places, |_| FontLocation::Own);

@@ -86,12 +86,12 @@ impl Font {
     pub fn set(&self, text: &str) -> Vec<PlacedGlyph> {
         let Some(face) = self.face() else { return vec![] };
         let glyphs: Vec<GlyphId> = text.chars().map(|c| face.glyph_of(c)).collect();
-        let mut x = -glyphs.first().map_or(0.0, |glyph| face.bearing(*glyph));
+        let mut x = -glyphs.first().map_or(0.0, |glyph| face.left_bearing_font_units(*glyph));
         let mut line = Vec::with_capacity(glyphs.len());
         for (i, &glyph) in glyphs.iter().enumerate() {
-            let right = if face.is_composite(glyph) { face.bearing(glyph) } else { 0.0 };
+            let right = if face.is_composite(glyph) { face.left_bearing_font_units(glyph) } else { 0.0 };
             line.push(PlacedGlyph { glyph: glyph.to_u32() as u16, x: (x + right) / face.units_per_em });
-            x += face.advance(glyph);
+            x += face.advance_font_units(glyph);
             x += glyphs.get(i + 1).map_or(0.0, |next| kerning(face.kern.as_ref(), glyph, *next));
         }
         line
@@ -137,12 +137,12 @@ impl<'a> Face<'a> {
     }
 
     /// Returns the left bearing of a glyph, in font units.
-    fn bearing(&self, glyph: GlyphId) -> f64 {
+    fn left_bearing_font_units(&self, glyph: GlyphId) -> f64 {
         self.hmtx.as_ref().and_then(|hmtx| hmtx.side_bearing(glyph)).map_or(0.0, f64::from)
     }
 
     /// Returns the width of a glyph, in font units.
-    fn advance(&self, glyph: GlyphId) -> f64 {
+    fn advance_font_units(&self, glyph: GlyphId) -> f64 {
         self.hmtx.as_ref().and_then(|hmtx| hmtx.advance(glyph)).map_or(0.0, f64::from)
     }
 
@@ -222,7 +222,7 @@ impl Pen {
                 (self.start, self.at) = (start, start);
             }
             PathElement::LineTo { x, y } => self.line_to(point(x, y)),
-            PathElement::QuadTo { cx0, cy0, x, y } => self.to(point(cx0, cy0), point(x, y)),
+            PathElement::QuadTo { cx0, cy0, x, y } => self.quadratic_to(point(cx0, cy0), point(x, y)),
             PathElement::CurveTo { cx0, cy0, cx1, cy1, x, y } => {
                 self.cubic_to(point(cx0, cy0), point(cx1, cy1), point(x, y));
             }
@@ -230,15 +230,16 @@ impl Pen {
         }
     }
 
-    fn to(&mut self, b: DVec2, c: DVec2) {
-        if c != self.at || b != self.at {
-            self.curves.push([self.at, b, c]);
+    /// Appends a quadratic Bézier curve from the current point; none if all three points are equal.
+    fn quadratic_to(&mut self, control: DVec2, end: DVec2) {
+        if end != self.at || control != self.at {
+            self.curves.push([self.at, control, end]);
         }
-        self.at = c;
+        self.at = end;
     }
 
     fn line_to(&mut self, end: DVec2) {
-        self.to((self.at + end) / 2.0, end);
+        self.quadratic_to((self.at + end) / 2.0, end);
     }
 
     fn cubic_to(&mut self, b: DVec2, c: DVec2, end: DVec2) {
@@ -251,7 +252,7 @@ impl Pen {
             let (s0, s1) = (f64::from(i) / f64::from(PIECES), f64::from(i + 1) / f64::from(PIECES));
             // Through the same midpoint: b = 2·m - (a + c)/2
             let (a, m, c) = (at(s0), at((s0 + s1) / 2.0), at(s1));
-            self.to(2.0 * m - (a + c) / 2.0, c);
+            self.quadratic_to(2.0 * m - (a + c) / 2.0, c);
         }
     }
 

@@ -102,7 +102,7 @@ pub struct Atoms {
 
 impl Atoms {
     /// True if a token is part of no construct: a bracket without its partner, a misplaced sign, a lone `#` or quotation mark.
-    pub fn is_irregular(&self) -> bool {
+    pub fn has_stray_token(&self) -> bool {
         self.row.iter().any(|atom| atom.flags & (flag::UNMATCHED | flag::LONE) != 0 || atom.item == ItemKind::Sign)
     }
 }

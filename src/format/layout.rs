@@ -263,8 +263,8 @@ impl<'a> Typesetter<'a> {
         table::align_tables(self, &rows, indent);
         for Row { from, to, .. } in rows {
             let closes = self.has(from, flag::UNMATCHED) && self.has(from, flag::CLOSE);
-            let first =
-                indent_inside_brackets(indent, open - i32::from(closes)) + self.continued_declaration_indent(from);
+            let first = indent_inside_brackets(indent, open - i32::from(closes))
+                + self.continued_declaration_extra_indent(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
             let (items, _) = self.row_items_and_end(from, to);
             self.write_row(&items, indent, &mut open);
@@ -296,7 +296,8 @@ impl<'a> Typesetter<'a> {
         }
     }
 
-    fn is_on_several_lines(&self, item: Range) -> bool {
+    /// True if items of this kind can be laid out on several lines, whether or not this item is.
+    fn can_span_several_lines(&self, item: Range) -> bool {
         matches!(self.kind(item), ItemKind::Block | ItemKind::Group | ItemKind::Entry | ItemKind::Bodies)
             && !self.has(item.from, flag::NO_BLANK_BEFORE)
     }
@@ -315,9 +316,9 @@ impl<'a> Typesetter<'a> {
             }
             let piece = &items[from..to];
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
-            let big = piece.iter().any(|item| self.is_on_several_lines(*item));
+            let big = piece.iter().any(|item| self.can_span_several_lines(*item));
             let trails = self.has(a, flag::LINE_COMMENT);
-            let indent = indent_inside_brackets(indent, *open_brackets) + self.continued_declaration_indent(a);
+            let indent = indent_inside_brackets(indent, *open_brackets) + self.continued_declaration_extra_indent(a);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
@@ -331,7 +332,7 @@ impl<'a> Typesetter<'a> {
     }
 
     /// Returns the additional indentation of a line that continues a declaration.
-    fn continued_declaration_indent(&self, i: usize) -> usize {
+    fn continued_declaration_extra_indent(&self, i: usize) -> usize {
         if self.has(i, flag::LAYER) { STEP } else { 0 }
     }
 
@@ -372,7 +373,7 @@ impl<'a> Typesetter<'a> {
             if self.arms(item.from).is_some() {
                 self.write_with_breaks(at, item.from, indent);
                 self.write_directive(*item, indent);
-            } else if self.is_on_several_lines(*item) {
+            } else if self.can_span_several_lines(*item) {
                 self.write_block(at, *item, indent);
             } else {
                 continue;
@@ -406,7 +407,7 @@ impl<'a> Typesetter<'a> {
         let begins = items.first().is_none_or(|first| self.kind(*first) == ItemKind::Separator);
         let values = if begins { 0 } else { items.iter().take_while(stays).count() };
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
-        let small = items.iter().all(|item| !self.is_on_several_lines(*item) && !trails(item));
+        let small = items.iter().all(|item| !self.can_span_several_lines(*item) && !trails(item));
         let held = |item: &Range| self.has(item.from, flag::SAME_LINE | flag::NO_BLANK_BEFORE);
         let end = match () {
             () if values == 0 || self.must_begin_line(from) || items.get(values).is_some_and(held) => from,

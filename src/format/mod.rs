@@ -46,8 +46,8 @@ const MAX_PASSES: usize = 8;
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest
 /// too deeply.
 pub fn format(text: &str, global_start: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-    let Pass { text: mut formatted, is_irregular } = format_once(text, global_start, width)?;
-    if !is_irregular {
+    let Pass { text: mut formatted, has_stray_token } = format_once(text, global_start, width)?;
+    if !has_stray_token {
         return Ok(formatted);
     }
     // Where brackets have no partner, a line that was broken may have another structure when it is parsed again.
@@ -66,7 +66,7 @@ pub fn format(text: &str, global_start: usize, width: usize) -> Result<String, V
 struct Pass {
     text: String,
     /// True if the text has tokens that are part of no construct, so that the layout may change in the next pass.
-    is_irregular: bool,
+    has_stray_token: bool,
 }
 
 fn format_once(text: &str, global_start: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
@@ -76,5 +76,5 @@ fn format_once(text: &str, global_start: usize, width: usize) -> Result<Pass, Ve
     }
     let atoms = gather::gather(text, global_start, &ast);
     drop(ast);
-    Ok(Pass { text: layout::lay_out(text, &atoms, width), is_irregular: atoms.is_irregular() })
+    Ok(Pass { text: layout::lay_out(text, &atoms, width), has_stray_token: atoms.has_stray_token() })
 }

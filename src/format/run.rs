@@ -79,7 +79,7 @@ impl Typesetter<'_> {
                 if width > room && best.is_some() {
                     break;
                 }
-                let cost = (width < room / 3, bracket_depth * 8 + self.binding_strength(i - 1));
+                let cost = (width < room / 3, bracket_depth * 8 + self.binding_strength_to_next(i - 1));
                 if width > room {
                     return i;
                 }
@@ -105,7 +105,7 @@ impl Typesetter<'_> {
     }
 
     /// Returns the strength with which an atom binds the following one: a line is broken after weak atoms first.
-    fn binding_strength(&self, i: usize) -> usize {
+    fn binding_strength_to_next(&self, i: usize) -> usize {
         match self.read(i) {
             "," => 1,
             "?" | ":" | "|" | "&" => 2,

@@ -135,8 +135,8 @@ impl Callee {
         }
     }
 
-    /// True if the called function returns a single number; each of the five components of its result is then this
-    /// number.
+    /// True if the called function returns a single number, which is the first component of [`Self::call_all`]. The
+    /// other four are 0 for [`Callee::Function`] and [`Callee::Sampler`]; for all other callees they repeat the number.
     pub(super) fn gives_number(&self) -> bool {
         let gives = match self {
             Callee::Function(function) => function.result_type(),

@@ -193,8 +193,8 @@ impl Numeric {
         }
     }
 
-    /// Returns the argument that a script passes on: clamped to -1..1 for `asin` and `acos`.
-    pub fn clamp_to_domain(&self, argument: f64) -> f64 {
+    /// Returns the argument that a script passes on: clamped to -1..1 for `asin` and `acos`, unchanged for all others.
+    pub fn clamp_if_arc_function(&self, argument: f64) -> f64 {
         if self.domain == Domain::Arc { argument.clamp(-1.0, 1.0) } else { argument }
     }
 }

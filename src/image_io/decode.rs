@@ -96,7 +96,7 @@ fn decode_non_empty(bytes: &[u8], extension: &str) -> Result<Decoded, String> {
 }
 
 fn decode_by_signature(bytes: &[u8], extension: &str) -> Result<Decoded, String> {
-    if let Some(pixels) = netpbm::decode_netpbm(bytes) {
+    if let Some(pixels) = netpbm::decode_netpbm_max_below_255(bytes) {
         return pixels.map(Decoded::from);
     }
     match bytes {
@@ -122,7 +122,7 @@ fn decode_by_signature(bytes: &[u8], extension: &str) -> Result<Decoded, String>
         return Ok(pixels.into());
     }
     let pixels = match bmp::bmp_alpha(bytes) {
-        Some(alpha) => pixels.with_alpha(&alpha),
+        Some(alpha) => pixels.with_alpha_if_rgb8(&alpha),
         None => pixels,
     };
     let indices = bmp::palette_indices(bytes, pixels.width, pixels.height);
@@ -170,8 +170,9 @@ impl Pixels {
         Self { channels: n - 1, samples, ..self }
     }
 
-    /// Adds an alpha channel to a decoded picture, if its samples are bytes of colour.
-    fn with_alpha(self, alpha: &[u8]) -> Self {
+    /// Replaces the alpha channel of a decoded picture of 8-bit colours by `alpha`; any other picture only loses its
+    /// own alpha channel.
+    fn with_alpha_if_rgb8(self, alpha: &[u8]) -> Self {
         let solid = self.without_alpha();
         let (Samples::U8(v), 3) = (&solid.samples, solid.channels) else { return solid };
         if alpha.len() != solid.width * solid.height {

@@ -26,4 +26,4 @@ pub use dither::Dither;
 pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};
 pub use format::{Format, SIGNATURE_BYTES, begins_like_a_picture};
 pub use frame::Frame;
-pub use picture::{Picture, Stored, round_gray_like_povray, wrap_to_u16};
+pub use picture::{Picture, Stored, round_gray_like_povray, scale_and_wrap_to_u16};

@@ -3,8 +3,8 @@
 
 use super::{Pixels, Samples};
 
-/// Decodes a PPM or PGM file; `None` for another file or another maximum value.
-pub(super) fn decode_netpbm(bytes: &[u8]) -> Option<Result<Pixels, String>> {
+/// Decodes a PPM or PGM file with a maximum value below 255; `None` for any other file.
+pub(super) fn decode_netpbm_max_below_255(bytes: &[u8]) -> Option<Result<Pixels, String>> {
     let (channels, plain) = match bytes.get(..2)? {
         b"P2" => (1, true),
         b"P3" => (3, true),
@@ -53,9 +53,9 @@ mod tests {
     fn numbers_keep_their_fractions() {
         let expected = Samples::U16(vec![0, 6554, 65535]);
         for file in [&b"P3 # a\n1 1 100\n0 10 100"[..], b"P6\n1 1\n100\n\x00\x0a\x64"] {
-            assert_eq!(decode_netpbm(file).unwrap().unwrap().samples, expected);
+            assert_eq!(decode_netpbm_max_below_255(file).unwrap().unwrap().samples, expected);
         }
-        assert_eq!(decode_netpbm(b"P5 1 1 255 a"), None);
-        assert!(decode_netpbm(b"P6\n9 9\n100\n\x00").unwrap().is_err());
+        assert_eq!(decode_netpbm_max_below_255(b"P5 1 1 255 a"), None);
+        assert!(decode_netpbm_max_below_255(b"P6\n9 9\n100\n\x00").unwrap().is_err());
     }
 }

@@ -68,9 +68,10 @@ pub fn round_gray_like_povray(gray: f32) -> f32 {
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
-/// Converts a function's number to the 16 bits of a picture that a function fills: truncated, and numbers below 0 or
-/// above 1 wrap (quirk: `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
-pub fn wrap_to_u16(x: f32) -> u16 {
+/// Multiplies a function's number by 65535, for the 16 bits of a picture that a function fills. The product is
+/// truncated, and wraps for numbers below 0 or above 1 (quirk: `function_picture_wraps`): 0.25 is 16383, 1.001 is 64,
+/// and -0.3 is 45876.
+pub fn scale_and_wrap_to_u16(x: f32) -> u16 {
     // (the product is rounded to 24 bits before)
     (x * 65535.0) as i64 as u16
 }

@@ -209,7 +209,7 @@ impl<'a> Interpreter<'a> {
         // Directives and macros run while the next statement is peeked. A fault in them skips only the directive.
         let checkpoint = self.stream.checkpoint();
         if let Err(fault) = self.peek() {
-            return self.report_unless_run_ends(*fault, |me| me.stream.restore_brackets_only(checkpoint));
+            return self.report_and_can_continue(*fault, |me| me.stream.restore_brackets_only(checkpoint));
         }
         let checkpoint = self.stream.checkpoint();
         match self.read_statement_unless_end() {
@@ -218,12 +218,13 @@ impl<'a> Interpreter<'a> {
                 self.finish_scene();
                 false
             }
-            Err(fault) => self.report_unless_run_ends(*fault, |me| me.skip_statement(checkpoint)),
+            Err(fault) => self.report_and_can_continue(*fault, |me| me.skip_statement(checkpoint)),
         }
     }
 
-    /// Reports an error, or the unclosed bracket that causes it, and calls `skip`. Returns false if the run ends.
-    fn report_unless_run_ends(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
+    /// Calls `skip` and reports an error, or reports only the unclosed bracket that causes the error. Returns true if
+    /// the run goes on, false if it ends.
+    fn report_and_can_continue(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
         let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
         let fault = self.stream.with_call_trace(fault);
         // Text after an unclosed bracket cannot be read.

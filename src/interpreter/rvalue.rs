@@ -65,7 +65,7 @@ impl<'a> Interpreter<'a> {
                 self.read_dictionary()
             }
             Token::Word(_) if self.may_be_at_color()? => self.read_expression_slot(),
-            _ => match Reader::next(self)? {
+            _ => match Reader::peek_next(self)? {
                 Next::Block(word) => self.read_declarable_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
             },
@@ -143,7 +143,7 @@ impl<'a> Interpreter<'a> {
     /// Reads the contents of `#default { … }` or `default { … }`.
     pub(super) fn read_defaults(&mut self) -> Result<()> {
         loop {
-            let next = Reader::next(self)?;
+            let next = Reader::peek_next(self)?;
             match next {
                 Next::End => return Ok(()),
                 Next::Block("texture") | Next::Thing("texture") => {
@@ -159,7 +159,7 @@ impl<'a> Interpreter<'a> {
                     self.leave_block()?;
                 }
                 Next::Block("radiosity") => {
-                    let radiosity = ObjectRadiosity::read(self)?;
+                    let radiosity = ObjectRadiosity::read_with_braces(self)?;
                     self.builder.set_default_radiosity(radiosity);
                 }
                 _ => {

@@ -50,7 +50,7 @@ pub const STATEMENTS: Spec = Spec {
 impl Interpreter<'_> {
     /// Reads one statement, whose first token [`Self::peek`] has returned; returns false at the end of the file.
     pub(super) fn read_statement_unless_end(&mut self) -> Result<bool> {
-        match Reader::next(self)? {
+        match Reader::peek_next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
                 let span = self.stream.next_span();
                 self.stream.advance();
@@ -228,7 +228,7 @@ impl Interpreter<'_> {
 
     /// Returns the span of a comparison sign after the next operands, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_comparison())
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_condition())
         {
             self.stream.split_next_element();
         }

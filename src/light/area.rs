@@ -92,10 +92,11 @@ impl Light {
 }
 
 impl Area {
-    /// Returns the sides of the grid, as vectors; `toward` is the direction to the illuminated point, length 1.
+    /// Returns the sides of the grid, as vectors; `direction_to_point` is the direction to the illuminated point,
+    /// length 1.
     #[inline]
-    pub fn sides(&self, toward: DVec3) -> [DVec3; 2] {
-        if self.orient { self.grid_sides_facing(toward) } else { self.axes }
+    pub fn sides(&self, direction_to_point: DVec3) -> [DVec3; 2] {
+        if self.orient { self.grid_sides_facing(direction_to_point) } else { self.axes }
     }
 
     /// Returns the vector from the area light's location to the light `cell` of its grid. `sides` are the sides of the grid, see
@@ -120,9 +121,9 @@ impl Area {
         (a * u + b * v) * 0.5
     }
 
-    /// Returns the offsets of the corners, in order around it, of a parallelogram that contains the lights from `low` to
-    /// `high`, with any jitter. `toward` is the direction to the illuminated point, length 1.
-    pub fn offset_parallelogram(&self, low: [u32; 2], high: [u32; 2], toward: DVec3) -> [DVec3; 4] {
+    /// Returns the offsets of the corners, in order around it, of a parallelogram that contains the lights from `low`
+    /// to `high`, with any jitter. `direction_to_point` is the direction to the illuminated point, length 1.
+    pub fn offset_parallelogram(&self, low: [u32; 2], high: [u32; 2], direction_to_point: DVec3) -> [DVec3; 4] {
         let place = |i: usize, cell: u32, outwards: f64| {
             let steps = f64::from(self.size[i].max(2) - 1);
             let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell) };
@@ -135,7 +136,7 @@ impl Area {
             let (start, end) = (place(i, low[i], -1.0), place(i, high[i], 1.0));
             [start.min(start * least_factor), end.max(end * least_factor)]
         };
-        let [a, b] = self.sides(toward);
+        let [a, b] = self.sides(direction_to_point);
         let ([u0, u1], [v0, v1]) = (ends(0), ends(1));
         [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|[u, v]| (a * u + b * v) * 0.5)
     }
@@ -146,12 +147,12 @@ impl Area {
         (self.circular || self.orient) && self.size.iter().all(|n| *n > 1)
     }
 
-    /// Returns the sides of an area light's grid that faces a direction: the first side is perpendicular to z, or to y
-    /// if the direction is nearly z (quirk: `oriented_area_sides`).
-    fn grid_sides_facing(&self, toward: DVec3) -> [DVec3; 2] {
-        let up = if toward.z.abs() > 0.99 { DVec3::Y } else { DVec3::Z };
-        let level = up.cross(toward).normalize_or(DVec3::X);
-        [level, level.cross(toward)].map(|side| side * self.axes[0].length())
+    /// Returns the sides of an area light's grid that faces a direction of length 1: the first side is perpendicular to
+    /// z, or to y if the direction is nearly z (quirk: `oriented_area_sides`).
+    fn grid_sides_facing(&self, direction_to_point: DVec3) -> [DVec3; 2] {
+        let up = if direction_to_point.z.abs() > 0.99 { DVec3::Y } else { DVec3::Z };
+        let level = up.cross(direction_to_point).normalize_or(DVec3::X);
+        [level, level.cross(direction_to_point)].map(|side| side * self.axes[0].length())
     }
 }
 

@@ -88,7 +88,7 @@ impl Light {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
+    pub fn read_location_and_color(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let location = r.vector()?;
         let color = if r.may_be_at_color()? { r.color()?.rgb } else { Rgb::ZERO };
         Ok(Self { location, color, source, ..Self::default() })
@@ -105,7 +105,7 @@ impl Light {
             }
         }
         match next {
-            Next::Block("photons") => self.photons.read(r)?,
+            Next::Block("photons") => self.photons.read_with_braces(r)?,
             _ => return Ok(false),
         }
         Ok(true)

@@ -41,10 +41,10 @@ impl LightPhotons {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
+    pub fn read_with_braces(&mut self, r: &mut dyn Reader) -> Result<()> {
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return r.leave_block().map(drop),
                 next if read_row(LIGHT_PHOTON_ROWS, self, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&LIGHT_PHOTONS)),

@@ -57,13 +57,16 @@ pub struct RunResult {
 /// Runs a scene on a thread of its own; calls `done` at the end. False if the system has no further thread.
 pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) -> bool {
     let work = move || {
-        let diagnostics = catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| run(&job)))).unwrap_or_default();
+        let diagnostics =
+            catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| diagnostics_by_include(&job)))).unwrap_or_default();
         done(RunResult { number: job.number, uri: job.uri, version: job.version, diagnostics });
     };
     std::thread::Builder::new().name("run".into()).spawn(work).is_ok()
 }
 
-fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
+/// Runs a scene and returns its diagnostics by the path of the file that they are about; `None` is the scene's own
+/// text.
+fn diagnostics_by_include(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     let overlay = Overlay::new(Arc::new(Disk));
     job.open.iter().for_each(|(path, text)| overlay.insert(path, text.as_str()));
     let (sources, parsed) = (Sources::new(Arc::new(overlay)), ParsedFiles::default());
@@ -74,7 +77,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     let input = job.path.as_deref().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
     let options = Options {
         // A run in the editor writes no files.
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         search,
         input_name: input,
         size: (640, 480),

@@ -124,7 +124,7 @@ impl<S: Client> Server<S> {
         for (path, diagnostics) in ran.diagnostics {
             let address = match path {
                 None => Some(ran.uri.clone()),
-                Some(path) => self.address(&path),
+                Some(path) => self.address_of_path(&path),
             };
             found.extend(address.map(|address| (address, diagnostics)));
         }

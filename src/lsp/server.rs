@@ -118,7 +118,7 @@ impl<S: Client> Server<S> {
                 Ok(Event::Disconnected(end)) => break end,
                 Err(RecvTimeoutError::Disconnected) => break End::Disconnected,
                 Ok(Event::Message(Message::Request(request))) => self.request(request),
-                Ok(event) => self.run_catching_panics(|server| server.handle(event)),
+                Ok(event) => self.run_catching_panics(|server| server.handle_non_request(event)),
                 Err(RecvTimeoutError::Timeout) => {}
             }
             self.run_catching_panics(Self::update_runs);
@@ -129,7 +129,7 @@ impl<S: Client> Server<S> {
 
     /// Handles an event other than a request: a notification, invalid input, the end of a run, or a message to pass to
     /// the editor.
-    fn handle(&mut self, event: Event) {
+    fn handle_non_request(&mut self, event: Event) {
         match event {
             Event::Message(Message::Notification(note)) if self.state == State::Running => self.notification(note),
             Event::Refused(refusal) => self.client.refuse(refusal),
@@ -248,8 +248,8 @@ impl<S: Client> Server<S> {
         out
     }
 
-    /// The editor's address of an open file, or the address of its path.
-    pub(in crate::lsp) fn address(&self, path: &std::path::Path) -> Option<String> {
+    /// Returns the editor's address of the file at `path` if it is open, or else the address of the path.
+    pub(in crate::lsp) fn address_of_path(&self, path: &std::path::Path) -> Option<String> {
         let is_it =
             |document: &&Document| document.path.as_deref().is_some_and(|open| files::are_same_file(open, path));
         let open = self.open.values().find(is_it).map(|document| document.uri.clone());
@@ -327,7 +327,7 @@ impl<S: Client> Server<S> {
     pub fn uri(&self, reached: &ReachableText, from: &Uri) -> Option<Uri> {
         match &reached.path {
             None => Some(from.clone()),
-            Some(path) => self.address(path).and_then(|address| Uri::from_str(&address).ok()),
+            Some(path) => self.address_of_path(path).and_then(|address| Uri::from_str(&address).ok()),
         }
     }
 }

@@ -152,20 +152,20 @@ fn describe(info: &WordSpec) -> String {
 
 /// Returns the syntax and description of a built-in function.
 pub fn function_usage_and_summary(name: &str) -> Option<(String, &'static str)> {
-    function_usages_and_summaries()
+    function_names_arguments_summaries()
         .find(|(other, ..)| *other == name)
-        .map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
+        .map(|(name, arguments, summary)| (format!("{name}{arguments}"), summary))
 }
 
 /// Returns all built-in functions of the scene language: name, arguments in parentheses, description.
-pub fn function_usages_and_summaries() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+pub fn function_names_arguments_summaries() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let numbers = numeric::TABLE.iter().map(|row| {
-        let usage = match row.kernel {
+        let arguments = match row.kernel {
             Kernel::One(_) => "(A)",
             Kernel::Two(_) => "(A, B)",
             Kernel::Many(_) => "(A, B, …)",
         };
-        (row.name, usage, row.summary)
+        (row.name, arguments, row.summary)
     });
     numbers.chain(interpreter::script_only_functions())
 }

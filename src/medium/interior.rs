@@ -111,7 +111,7 @@ impl Interior {
     pub fn read(r: &mut dyn Reader, base: Option<&Self>) -> Result<Self> {
         let mut out = base.cloned().unwrap_or_default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(out),
                 Next::Thing(_) => match r.thing::<Interior>()? {
                     Some(declared) => out = (*declared).clone(),
@@ -143,14 +143,14 @@ impl Interior {
         self.media.iter_mut().for_each(|media| media.transform(by));
     }
 
-    /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light
-    /// has the index of hue 0.5 (quirk: `dispersion_ior`).
-    pub fn ior_of_hue(&self, hue: f64) -> f64 {
+    /// Returns the index of refraction for one colour of the spectrum: `red_to_violet` is 0 for red and 1 for violet;
+    /// white light has the index at 0.5 (quirk: `dispersion_ior`).
+    pub fn ior_of_hue(&self, red_to_violet: f64) -> f64 {
         if self.dispersion == 1.0 || self.dispersion <= 0.0 {
             return self.ior;
         }
         // n·Dʰ⁻¹ᐟ²
-        self.ior * fp::pow(self.dispersion, hue - 0.5)
+        self.ior * fp::pow(self.dispersion, red_to_violet - 0.5)
     }
 
     /// Returns the transmittance over a distance inside the shape, in world units (manual, "Attenuation").

@@ -171,7 +171,7 @@ impl Media {
         };
         media.source = source;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(media),
                 next if read_row(MEDIA_ROWS, &mut media, next, r)? => {}
                 Next::Block("scattering") => {

@@ -84,7 +84,7 @@ impl Scattering {
         };
         let mut scattering = Self { phase, color: r.color()?.rgb, ..Self::default() };
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(scattering),
                 next if read_row(SCATTERING_ROWS, &mut scattering, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&SCATTERING)),

@@ -77,7 +77,8 @@ impl OrbitValue {
 }
 
 impl Orbits {
-    fn read(r: &mut dyn Reader) -> Result<Self> {
+    /// Reads the number of iterations; the values of points outside and inside get their defaults.
+    fn read_iterations(r: &mut dyn Reader) -> Result<Self> {
         let iterations = r.float()? as u32;
         let (exterior, interior) = (OrbitValue { kind: 1, factor: 1.0 }, OrbitValue { kind: 0, factor: 1.0 });
         Ok(Self { iterations, exterior, interior })
@@ -233,7 +234,7 @@ impl Readable for Mandel {
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        Ok(Self { orbits: Orbits::read(r)?, exponent: 2 })
+        Ok(Self { orbits: Orbits::read_iterations(r)?, exponent: 2 })
     }
 }
 
@@ -296,7 +297,7 @@ impl Readable for Julia {
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        Ok(Self { constant: r.vector2()?, orbits: Orbits::read(r)?, exponent: 2 })
+        Ok(Self { constant: r.vector2()?, orbits: Orbits::read_iterations(r)?, exponent: 2 })
     }
 }
 
@@ -355,7 +356,7 @@ impl Readable for Magnet {
                 format!("there are magnets 1 and 2, but none with number {kind}"),
             );
         }
-        let constant = match r.next()? {
+        let constant = match r.peek_next()? {
             Next::Word("mandel") => r.take_token().map(|_| None)?,
             Next::Word("julia") => {
                 r.take_token()?;
@@ -363,7 +364,7 @@ impl Readable for Magnet {
             }
             _ => return Err(r.unexpected("`mandel` or `julia`").into()),
         };
-        Ok(Self { second: kind == 2.0, constant, orbits: Orbits::read(r)? })
+        Ok(Self { second: kind == 2.0, constant, orbits: Orbits::read_iterations(r)? })
     }
 }
 

@@ -63,7 +63,7 @@ impl Readable for Slope {
         Ok(Self { towards: read_direction(r)?, range: [0.0, 1.0], altitude: None })
     }
 
-    fn read_block(r: &mut dyn Reader) -> Result<Self> {
+    fn read_braced_params(r: &mut dyn Reader) -> Result<Self> {
         let towards = if r.accept("point_at")? { Towards::Point(r.vector()?) } else { read_direction(r)? };
         let range = read_range(r)?;
         let mut altitude = None;
@@ -122,7 +122,7 @@ impl Field for Slope {
             }
         };
         // wraps before the frequency applies (quirk: slope_wraps_first)
-        if (0.0..=1.0).contains(&value) { value } else { fp::fraction(value) }
+        if (0.0..=1.0).contains(&value) { value } else { fp::fraction_above_floor(value) }
     }
 }
 

@@ -55,7 +55,7 @@ pub(super) fn spiral_number(p: DVec3, arms: f64) -> f64 {
         return p.z;
     }
     let turn = fp::atan2(p.y, p.x) / TAU + 0.25;
-    p.z + p.truncate().length() + arms * fp::fraction(turn)
+    p.z + p.truncate().length() + arms * fp::fraction_above_floor(turn)
 }
 
 /// Returns the number that `turbulence` adds to a spiral pattern, in addition to the displacement of the point.

@@ -44,5 +44,5 @@ impl Field for Spiral2 {
 }
 
 fn triangle_wave(x: f64) -> f64 {
-    1.0 - (2.0 * fp::fraction(x) - 1.0).abs()
+    1.0 - (2.0 * fp::fraction_above_floor(x) - 1.0).abs()
 }

@@ -99,9 +99,9 @@ impl Request {
         }
     }
 
-    /// All values of a header; `name` is in lower case.
-    pub fn header(&self, name: &str) -> Vec<String> {
-        self.headers.iter().filter(|(n, _)| n == name).map(|(_, value)| value.clone()).collect()
+    /// All values of the header with this name, which is written in lower case.
+    pub fn header(&self, lowercase_name: &str) -> Vec<String> {
+        self.headers.iter().filter(|(name, _)| name == lowercase_name).map(|(_, value)| value.clone()).collect()
     }
 
     /// Returns a number in the query of the HTTP request.

@@ -16,12 +16,13 @@ const LEVEL_FACTOR: usize = 16;
 /// pictures.
 const SHORT: f64 = 0.3;
 
-/// Renders to the screen until `cancel` is cancelled; pixels outside of the region in `options` are not displayed.
-/// Returns the number of rays and the duration of the first level, 0 if there was only the full resolution.
+/// Renders all levels and the full resolution to the screen, until `cancel` is cancelled; pixels outside of the region
+/// in `options` are not displayed. Returns the number of rays and the duration of the first level, 0 if there was only
+/// the full resolution.
 ///
 /// # Errors
 /// If `cancel` was cancelled.
-pub fn render_and_time_first_level(
+pub fn render_levels_timing_first(
     world: &World,
     options: &Options,
     screen: &Screen,

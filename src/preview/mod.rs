@@ -14,7 +14,7 @@ mod serve;
 mod stream;
 
 pub use file_watcher::FileWatcher;
-pub use levels::render_and_time_first_level;
+pub use levels::render_levels_timing_first;
 pub use screen::Screen;
 pub use serve::serve;
 

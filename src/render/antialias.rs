@@ -75,7 +75,7 @@ impl Method {
             _ => {}
         }
         sampler.begin_sample(self.pixel_key(x, y), 0);
-        pixel(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
+        rgb_and_transparency(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
     }
 
     /// Returns the edge of the blocks that the final pass computes together; `None` without blocks. A block needs all
@@ -165,10 +165,10 @@ fn half_octaves_above_dark(x: f32) -> usize {
 }
 
 impl Difference {
-    /// Creates the test for a threshold. Differences are measured on light to the power of 1/`gamma`; `numbers`
+    /// Creates the test for a threshold. Differences are measured on light to the power of 1/`gamma`; `scene_gamma`
     /// converts the scene's values to light (quirk: `antialias_gamma`).
-    fn new(threshold: f64, gamma: f64, numbers: Gamma, alpha: bool) -> Self {
-        let (gamma, is_srgb) = match numbers {
+    fn new(threshold: f64, gamma: f64, scene_gamma: Gamma, alpha: bool) -> Self {
+        let (gamma, is_srgb) = match scene_gamma {
             Gamma::Power(power) => (gamma / power, false),
             Gamma::Raw => (gamma, false),
             Gamma::Srgb => (gamma, true),
@@ -234,7 +234,7 @@ impl Difference {
 
 /// Converts the radiance of a camera ray to single precision: red, green and blue in the scene's colour space, and
 /// transparency.
-pub(super) fn pixel(sample: &Radiance) -> Pixel {
+pub(super) fn rgb_and_transparency(sample: &Radiance) -> Pixel {
     let Radiance { rgb, transparency } = sample;
     [rgb.x as f32, rgb.y as f32, rgb.z as f32, *transparency as f32]
 }

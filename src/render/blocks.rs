@@ -6,7 +6,7 @@
 //! Coordinates of first samples are shifted: the first sample at (x + 1, y + 1) is the pixel (x, y).
 
 use super::Region;
-use super::antialias::{Difference, pixel};
+use super::antialias::{Difference, rgb_and_transparency};
 use super::pixel_rows::{Pixel, PixelRows};
 use super::sampler::Sampler;
 use crate::transport::Purpose;
@@ -37,7 +37,7 @@ impl Blocks<'_> {
     /// Takes one sample of the first pass.
     pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
         sampler.begin_sample(self.pixel_key(x, y), 0);
-        pixel(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
+        rgb_and_transparency(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
     }
 
     /// Computes the pixels of a part of one block.
@@ -112,7 +112,7 @@ impl Blocks<'_> {
             let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
             let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);
             let dy = (f64::from(cell / depth) + off(1)) / f64::from(depth);
-            let sample = pixel(&sampler.sample(x as f64 - 1.0 + dx, y as f64 - 1.0 + dy));
+            let sample = rgb_and_transparency(&sampler.sample(x as f64 - 1.0 + dx, y as f64 - 1.0 + dy));
             sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
         }
         sum.map(|c| (c / f64::from(depth * depth + 1)) as f32)

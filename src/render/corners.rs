@@ -1,7 +1,7 @@
 //! POV-Ray's second sampling method: a pixel is the mean of its corners, and is subdivided where the corners differ
 //! (manual, "Anti-Aliasing Options"). The depth counts the pixel itself (quirk: `antialias_depth`).
 
-use super::antialias::{Difference, pixel};
+use super::antialias::{Difference, rgb_and_transparency};
 use super::pixel_rows::{Pixel, PixelRows};
 use super::sampler::Sampler;
 use crate::transport::Purpose;
@@ -47,7 +47,7 @@ impl Corners<'_> {
         let random = sampler.random(Purpose::PixelPosition);
         let off = |i| if self.jitter == 0.0 { 0.0 } else { (random.at(i) - 0.5) * self.jitter };
         let at = |corner: usize, piece: u32, i| corner as f64 + (f64::from(piece) + off(i)) / f64::from(pieces);
-        pixel(&sampler.sample(at(x, pieces_right, 0), at(y, pieces_down, 1)))
+        rgb_and_transparency(&sampler.sample(at(x, pieces_right, 0), at(y, pieces_down, 1)))
     }
 
     /// Computes a pixel from the samples at its corners.

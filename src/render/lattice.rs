@@ -5,7 +5,7 @@
 //! rotated by 18° and 63°, so horizontal and vertical edges have ten and five levels. The pixel's centre, whose sample
 //! is known, is one of the points. Random bits transpose and mirror the lattice of each pixel.
 
-use super::antialias::{Difference, pixel as pixel_of};
+use super::antialias::{Difference, rgb_and_transparency};
 use super::pixel_rows::Pixel;
 use super::sampler::Sampler;
 use crate::transport::Purpose;
@@ -40,7 +40,7 @@ pub(super) fn pixel(
     while count < FIRST_SAMPLES || differ && count < ALL_SAMPLES {
         let [right, down] = lattice_point(count, symmetry);
         sampler.begin_sample(pixel_key, u64::from(count));
-        let sample = pixel_of(&sampler.sample(x as f64 + right, y as f64 + down));
+        let sample = rgb_and_transparency(&sampler.sample(x as f64 + right, y as f64 + down));
         sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
         differ |= count < FIRST_SAMPLES && difference.reaches_threshold_times(&sample, middle, LARGE_DIFFERENCE);
         count += 1;

@@ -191,7 +191,7 @@ fn parse_head(bytes: &[u8], kind: LightKind) -> Option<LightHeader> {
 }
 
 /// True for the contents of a file of light that any version of durer saved, and for an empty file.
-pub fn is_light_file(bytes: &[u8]) -> bool {
+pub fn is_light_file_or_empty(bytes: &[u8]) -> bool {
     bytes.is_empty() || bytes.starts_with(&MAGIC)
 }
 

@@ -15,7 +15,7 @@ mod weight;
 pub mod words;
 
 pub use light_file::{
-    Digest, LightFile, LightFileError, LightHeader, LightKind, LightWriter, decode_numbers, is_light_file,
+    Digest, LightFile, LightFileError, LightHeader, LightKind, LightWriter, decode_numbers, is_light_file_or_empty,
 };
 pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, OBJECT_RADIOSITY, Object, ObjectBody, ObjectKind, ObjectRadiosity,

@@ -135,11 +135,11 @@ impl PhotonMapSettings {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_with_braces(r: &mut dyn Reader) -> Result<Self> {
         let mut this = Self { source: r.span(), ..Self::default() };
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return r.leave_block().map(|_| this),
                 next if read_row(PHOTON_MAP_ROWS, &mut this, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&PHOTON_MAP)),

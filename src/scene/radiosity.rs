@@ -4,7 +4,7 @@ use super::{LightKind, SavedLight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::value::ValueKind::{Flag, Float, Text};
-use crate::value::ranges::{in_range, not_negative, positive, share_up_to_one, whole_from_one};
+use crate::value::ranges::{in_range, not_negative, positive, positive_up_to_one, whole_from_one};
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -130,9 +130,9 @@ const ROWS: &[Row<Radiosity>] = &[
     word("normal", Flag, "off", "bumps change the directions of gathered light")
         .sets(|s, r| set(&mut s.normal, r.flag())),
     word("pretrace_start", Float, "0.08", "distance of the first pass's pixels, as a share of the picture's width")
-        .sets(|s, r| set(&mut s.pretrace_start, share_up_to_one("pretrace_start", r))),
+        .sets(|s, r| set(&mut s.pretrace_start, positive_up_to_one("pretrace_start", r))),
     word("pretrace_end", Float, "0.04", "distance of the last pass's pixels, as a share of the picture's width")
-        .sets(|s, r| set(&mut s.pretrace_end, share_up_to_one("pretrace_end", r))),
+        .sets(|s, r| set(&mut s.pretrace_end, positive_up_to_one("pretrace_end", r))),
     word("recursion_limit", Float, "2", "maximum number of diffuse bounces, 1 to 20")
         .sets(|s, r| set(&mut s.recursion_limit, whole_from_one("recursion_limit", 20, r))),
     word("subsurface", Flag, "off", "rays that gather light show `finish { subsurface }`")
@@ -156,12 +156,12 @@ impl Radiosity {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood or out of range.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_with_braces(r: &mut dyn Reader) -> Result<Self> {
         let at = r.span();
         let mut out = Self { source: at, ..Self::default() };
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => {
                     out.check_ranges(at)?;
                     return r.leave_block().map(|_| out);

@@ -75,22 +75,22 @@ impl Settings {
     /// With the span of the unexpected token, and the expectation.
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(()),
                 next if read_row(SETTINGS_ROWS, self, next, r)? => {}
-                Next::Block("photons") => self.photons = Some(PhotonMapSettings::read(r)?),
+                Next::Block("photons") => self.photons = Some(PhotonMapSettings::read_with_braces(r)?),
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     r.take_token()?;
                     while r.may_be_at_color()?
-                        || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys"))
+                        || matches!(r.peek_next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys"))
                     {
                         r.skip_item()?;
                     }
                 }
                 Next::Word("radiosity") | Next::Block("radiosity") => {
-                    self.radiosity = Some(Box::new(Radiosity::read(r)?))
+                    self.radiosity = Some(Box::new(Radiosity::read_with_braces(r)?))
                 }
-                Next::Block("subsurface") => self.subsurface = Some(SubsurfaceSettings::read(r)?),
+                Next::Block("subsurface") => self.subsurface = Some(SubsurfaceSettings::read_with_braces(r)?),
                 _ => return Err(r.unknown_word_in(&SETTINGS)),
             }
         }

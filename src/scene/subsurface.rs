@@ -53,11 +53,11 @@ impl SubsurfaceSettings {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood or out of range.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_with_braces(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self::default();
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return r.leave_block().map(|_| out),
                 next if read_row(ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&SUBSURFACE)),

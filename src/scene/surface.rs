@@ -48,7 +48,7 @@ impl Painted {
 /// With the span of the unexpected token, and the expectation.
 pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     let mut layers = vec![];
-    let mut next = r.next()?;
+    let mut next = r.peek_next()?;
     loop {
         match next {
             Next::Block("texture") => {
@@ -64,7 +64,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
             },
             _ => break,
         }
-        next = r.next_in_statement()?;
+        next = r.peek_until_directive()?;
     }
     layers.shrink_to_fit();
     let mut texture = Texture { layers };
@@ -101,7 +101,7 @@ impl Thing for Material {
 pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<Arc<Interior>>) -> Result<Material> {
     let mut out = Material { interior, ..Material::default() };
     loop {
-        match r.next()? {
+        match r.peek_next()? {
             Next::End => return Ok(out),
             Next::Thing("material") => {
                 if let Some(declared) = r.thing::<Material>()? {

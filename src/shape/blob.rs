@@ -57,7 +57,7 @@ impl Blob {
     }
 
     fn visit_components_near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
-        self.bvh.visit_boxes_containing(p, |i| {
+        self.bvh.visit_items_near_point(p, |i| {
             visit(&self.components[i]);
             ControlFlow::Continue(())
         });

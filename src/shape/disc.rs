@@ -57,7 +57,7 @@ impl Readable for Disc {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (center, normal, radius) = (r.vector()?, r.vector()?, r.float()?);
-        let hole = if r.next()? == Next::Value { r.float()? } else { 0.0 };
+        let hole = if r.peek_next()? == Next::Value { r.float()? } else { 0.0 };
         check_finite(span, &[center, normal], &[radius, hole])?;
         Ok(Self::new(center, normal, radius, hole))
     }
@@ -121,7 +121,7 @@ impl Kernel for Disc {
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let (e1, e2) = self.normal.any_orthonormal_pair();
         let d = p - self.center;
-        let u = fp::angle_in_turns(d.dot(e2), d.dot(e1));
+        let u = fp::positive_angle_in_turns(d.dot(e2), d.dot(e1));
         DVec2::new(u, d.length() / self.radius)
     }
 

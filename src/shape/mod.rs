@@ -134,7 +134,7 @@ delegate! {
         fn crossing(&self, ray: &Ray) -> Crossing;
         fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
         fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
-        fn faces(&self) -> Vec<Face>;
+        fn mesh_faces(&self) -> Vec<Face>;
         fn has_uv_mapping(&self) -> bool;
         fn read_textured(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool>;
         fn texture_weights(&self, p: DVec3, hit: &Hit) -> TextureWeights;
@@ -150,9 +150,9 @@ impl Shape {
         Cuboid::new(bounds.min, bounds.max).into()
     }
 
-    /// Reads the positional arguments of the shape with this name, which has been consumed; `None` if there is no such
-    /// shape.
-    pub fn read(name: &'static str, r: &mut dyn Reader) -> Option<Result<Self>> {
+    /// Reads the positional arguments of the shape with this name, after the name and its brace; `None` if there is no
+    /// such shape.
+    pub fn read_params_of(name: &'static str, r: &mut dyn Reader) -> Option<Result<Self>> {
         let spec = Self::spec_of(name)?;
         Self::read_params(Next::Block(name), r).map(|shape| shape.map_err(|fault| with_usage(fault, spec)))
     }

@@ -186,7 +186,10 @@ impl Kernel for Ovus {
     /// `ovus_uv`).
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let height = p.y - self.bounds().center().y;
-        DVec2::new(fp::angle_in_turns(p.z, p.x), 2.0 * fp::angle_in_turns(fp::hypot(p.x, p.z), -height))
+        DVec2::new(
+            fp::positive_angle_in_turns(p.z, p.x),
+            2.0 * fp::positive_angle_in_turns(fp::hypot(p.x, p.z), -height),
+        )
     }
 }
 

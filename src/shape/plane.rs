@@ -107,7 +107,7 @@ impl Readable for Plane {
             check_finite(start, &[], &n)?;
             Self::from_implicit([n[0], n[1], n[2], n[3]])
         } else if r.accept("point")? {
-            read_point_form(start, r)?
+            read_point_form_or_degenerate(start, r)?
         } else {
             let (normal, distance) = (r.vector()?, r.float()?);
             check_finite(start, &[normal], &[distance])?;
@@ -128,15 +128,16 @@ fn form_word_not_first_error(word: &str, r: &mut dyn Reader) -> Result<()> {
     Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
 }
 
-/// Reads the rest of a plane in the form `point q normal n` or `point q span i, j`.
-fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
+/// Reads the rest of a plane in the form `point q normal n` or `point q span i, j`, after the word `point`. `None` for
+/// a normal without a direction.
+fn read_point_form_or_degenerate(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     let point = r.vector()?;
     if r.accept("normal")? {
         let normal = r.vector()?;
         check_finite(start, &[point, normal], &[])?;
         return Ok(Plane::through_point(point, normal));
     }
-    if r.next()? != Next::Word("span") {
+    if r.peek_next()? != Next::Word("span") {
         return Err(r.unexpected("`normal` or `span` after the `point` of a `plane`").into());
     }
     r.take_token()?;

@@ -150,7 +150,7 @@ impl Kernel for Sor {
     /// and back to the centre of the upper lid (quirk: `lathe_uv`).
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
         let [bottom, top] = self.end_points();
-        let (around, across) = (fp::angle_in_turns(p.z, p.x), fp::hypot(p.x, p.z));
+        let (around, across) = (fp::positive_angle_in_turns(p.z, p.x), fp::hypot(p.x, p.z));
         match hit.part {
             BOTTOM => DVec2::new(around, across / bottom.x - 1.0),
             TOP => DVec2::new(around, 2.0 - across / top.x),

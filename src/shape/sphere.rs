@@ -104,7 +104,7 @@ impl Kernel for Sphere {
 
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let n = (p - self.center) / self.radius;
-        DVec2::new(fp::angle_in_turns(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
+        DVec2::new(fp::positive_angle_in_turns(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
     }
 }
 

@@ -140,9 +140,9 @@ impl Superellipsoid {
     }
 
     /// Finds the surface of a convex superellipsoid by Newton's method from one end of a line's piece in the cube to
-    /// the surface. A tangent of a convex function is below the function, so steps approach the root and never pass it;
-    /// `None` where the function no longer falls.
-    fn newton_from_end(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
+    /// the surface. A tangent of a convex function is below the function, so steps approach the root and never pass it.
+    /// `None` if the line has no root between `from` and `to`.
+    fn convex_root_from_end(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
@@ -168,16 +168,16 @@ impl Superellipsoid {
         Some(s)
     }
 
-    /// Calls `found` with the roots on a superellipsoid between two points within one octant, ascending, if they are in
-    /// the range. Returns true if `found` did. Pieces do not depend on the range, so neither do the last digits of
-    /// roots.
+    /// Calls `stops_at` with the roots on a superellipsoid between two points within one octant, ascending, if they are
+    /// in the range. Returns true if `stops_at` did. Pieces do not depend on the range, so neither do the last digits
+    /// of roots.
     fn any_root_in_octant(
         &self,
         line: &Line,
         lo: End,
         hi: End,
         within: Range,
-        found: &mut dyn FnMut(f64) -> bool,
+        stops_at: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
         if hi.s < within.min || lo.s > within.max {
             return false;
@@ -197,13 +197,13 @@ impl Superellipsoid {
             let begins_inside = self.gauge_and_gradient(lo.p).0 <= 1.0;
             let differ = begins_inside != (self.gauge_and_gradient(hi.p).0 <= 1.0);
             return differ
-                && found(
+                && stops_at(
                     self.root_between_inside_and_outside(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }),
                 );
         }
         let middle = End::new(line, 0.5 * (lo.s + hi.s));
-        self.any_root_in_octant(line, lo, middle, within, found)
-            || self.any_root_in_octant(line, middle, hi, within, found)
+        self.any_root_in_octant(line, lo, middle, within, stops_at)
+            || self.any_root_in_octant(line, middle, hi, within, stops_at)
     }
 
     /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
@@ -261,29 +261,39 @@ impl Superellipsoid {
         s
     }
 
-    /// Calls `visit` with the entry and exit of a convex superellipsoid, unless they are before `start`.
-    fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, visit: &mut dyn FnMut(f64) -> bool) {
-        let mut last = start;
+    /// Calls `stops_at` with the entry and exit of a convex superellipsoid, unless they are before `range_start`; true
+    /// ends the search.
+    fn search_convex(
+        &self,
+        line: &Line,
+        (lo, hi): (f64, f64),
+        range_start: f64,
+        stops_at: &mut dyn FnMut(f64) -> bool,
+    ) {
+        let mut last = range_start;
         // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
         // leave the surface.
-        let (value, gradient) =
-            if start > lo { self.gauge_and_gradient(line.point_at(start)) } else { (f64::INFINITY, -line.v) };
+        let (value, gradient) = if range_start > lo {
+            self.gauge_and_gradient(line.point_at(range_start))
+        } else {
+            (f64::INFINITY, -line.v)
+        };
         if value > 1.0 {
             if gradient.dot(line.v) >= 0.0 {
                 return;
             }
-            let Some(first) = self.newton_from_end(line, lo, hi) else { return };
-            if visit(first) {
+            let Some(first) = self.convex_root_from_end(line, lo, hi) else { return };
+            if stops_at(first) {
                 return;
             }
             last = first;
         }
         // At a grazing ray rounding can put the exit before the entry.
-        visit(self.newton_from_end(line, hi, lo).map_or(last, |s| s.max(last)));
+        stops_at(self.convex_root_from_end(line, hi, lo).map_or(last, |s| s.max(last)));
     }
 
-    /// Calls `found` with each hit on the superellipsoid in the range, ascending, until it returns true.
-    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
+    /// Calls `stops_at` with each hit on the superellipsoid in the range, ascending, until it returns true.
+    fn search(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(f64) -> bool) {
         let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
         if near >= range.max || far <= range.min {
             return;
@@ -295,20 +305,21 @@ impl Superellipsoid {
         let middle = -ray.origin.dot(v);
         let line = Line { o: ray.origin + middle * v, v };
         let (lo, hi) = (near * length - middle, far * length - middle);
-        let mut visit = |s: f64| {
+        let mut report_root = |s: f64| {
             let t = (s + middle) / length;
-            range.contains(t) && found(t)
+            range.contains(t) && stops_at(t)
         };
         if self.e <= 2.0 && self.n <= 2.0 {
-            return self.search_convex(&line, (lo, hi), range.min * length - middle, &mut visit);
+            return self.search_convex(&line, (lo, hi), range.min * length - middle, &mut report_root);
         }
         let within = Range { min: range.min * length - middle, max: range.max * length - middle };
         let mut cuts: smallvec::SmallVec<[f64; 5]> = smallvec::smallvec![lo, hi];
         cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
         cuts.sort_by(f64::total_cmp);
         let ends: smallvec::SmallVec<[End; 5]> = cuts.iter().map(|&s| End::new(&line, s)).collect();
-        let _ =
-            ends.windows(2).any(|w| w[0].s < w[1].s && self.any_root_in_octant(&line, w[0], w[1], within, &mut visit));
+        let _ = ends
+            .windows(2)
+            .any(|w| w[0].s < w[1].s && self.any_root_in_octant(&line, w[0], w[1], within, &mut report_root));
     }
 }
 

@@ -149,7 +149,7 @@ impl Readable for Text {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let name = match r.next()? {
+        let name = match r.peek_next()? {
             Next::Word("ttf") => {
                 r.take_token()?;
                 None

@@ -40,9 +40,9 @@ impl Torus {
         Aabb { min: -corner, max: corner }
     }
 
-    /// True if a ray shows a torus with a negative radius: the ray must hit the outer wall of the bounding pipe if
-    /// `minor` is positive, else its upper or lower disc (quirk: `negative_torus`).
-    fn is_visible_along(&self, ray: &Ray) -> bool {
+    /// True if POV-Ray shows the torus along a ray. For a torus with a negative `major`, the ray must hit the outer
+    /// wall of the bounding pipe if `minor` is positive, else its upper or lower disc (quirk: `negative_torus`).
+    fn is_visible_in_povray(&self, ray: &Ray) -> bool {
         if self.major >= 0.0 {
             return true;
         }
@@ -74,7 +74,7 @@ impl Torus {
         // hit.
         let around = self.torus_bounding_box().grown(0.01 * self.minor.abs());
         let Some((near, far)) =
-            around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.is_visible_along(ray))
+            around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.is_visible_in_povray(ray))
         else {
             return;
         };
@@ -92,9 +92,16 @@ impl Torus {
         });
     }
 
-    /// Calls `found` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true.
+    /// Calls `stops_at` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true.
     /// `nearest_to_origin` is the point o of the ray nearest to the origin, so that o·v = 0.
-    fn find_ray_roots(&self, nearest_to_origin: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
+    fn find_ray_roots(
+        &self,
+        nearest_to_origin: DVec3,
+        v: DVec3,
+        lo: f64,
+        hi: f64,
+        stops_at: &mut dyn FnMut(f64) -> bool,
+    ) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²
         let k = nearest_to_origin.length_squared() + major2 - minor2;
@@ -117,7 +124,7 @@ impl Torus {
             a0 + 0.75 * a1 + 0.5 * a2 + 0.25 * a3,
             a0 + a1 + a2 + a3 + a4,
         ];
-        bernstein_roots(&b, &mut |u| found(lo + u * w));
+        bernstein_roots(&b, &mut |u| stops_at(lo + u * w));
     }
 }
 

@@ -170,7 +170,7 @@ impl Draft {
     }
 
     /// Returns the bytes of a draft in memory; empty for a draft on disk.
-    pub fn into_bytes(self) -> Vec<u8> {
+    pub fn into_memory_bytes(self) -> Vec<u8> {
         match self.bytes {
             DraftStorage::Memory(bytes) => bytes.into_inner(),
             DraftStorage::Disk(_) => vec![],

@@ -23,7 +23,7 @@ pub trait Files: Send + Sync {
     ///
     /// # Errors
     /// If the file does not exist or cannot be read.
-    fn inspect(&self, path: &Path) -> io::Result<Vec<u8>> {
+    fn read_unrecorded(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.read(path)
     }
 

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Services of the machine on which a run takes place, beside its [`Files`](super::Files).
 pub trait Host: Debug + Send + Sync {
-    /// Returns the time that has passed since a fixed moment, which the host chooses.
-    fn elapsed(&self) -> Duration;
+    /// Returns the time since a fixed moment, which the host chooses: only differences have a meaning.
+    fn monotonic_time(&self) -> Duration;
 
     /// Returns the time since the beginning of the year 1970 in UTC, for the built-in variable `now`.
     fn since_1970(&self) -> Duration;
@@ -15,7 +15,7 @@ pub trait Host: Debug + Send + Sync {
     fn resident_bytes(&self) -> Option<u64>;
 
     /// True if [`Host::resident_bytes`] is as cheap as reading a variable.
-    fn counts_memory(&self) -> bool {
+    fn has_cheap_resident_bytes(&self) -> bool {
         false
     }
 }
@@ -33,7 +33,7 @@ impl Default for LocalHost {
 }
 
 impl Host for LocalHost {
-    fn elapsed(&self) -> Duration {
+    fn monotonic_time(&self) -> Duration {
         self.started.elapsed()
     }
 

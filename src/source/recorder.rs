@@ -126,9 +126,9 @@ impl Files for Recorder {
         Ok(bytes)
     }
 
-    fn inspect(&self, path: &Path) -> io::Result<Vec<u8>> {
+    fn read_unrecorded(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.record_lookup(path, Lookup::version(&*self.files, path));
-        self.files.inspect(path)
+        self.files.read_unrecorded(path)
     }
 
     fn metadata(&self, path: &Path) -> io::Result<Metadata> {
@@ -196,7 +196,7 @@ mod tests {
         memory.insert("b.ttf", "2");
         let recorder = Recorder::new(Arc::new(memory));
         recorder.read(Path::new("a.inc")).unwrap();
-        recorder.inspect(Path::new("b.ttf")).unwrap();
+        recorder.read_unrecorded(Path::new("b.ttf")).unwrap();
         assert!(recorder.read(Path::new("c.inc")).is_err());
         assert_eq!(recorder.read_files(), ReadFiles::from([("a.inc".into(), ContentHash::of(b"1"))]));
     }

@@ -83,13 +83,13 @@ impl CreatedFiles for CreatedInSession {
 
 impl Sandbox {
     /// Returns the rules that let a scene read all files, and that keep the files that the scene writes in memory.
-    pub fn read_only() -> Self {
+    pub fn with_writes_in_memory() -> Self {
         Self { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory }
     }
 
     /// Returns the rules that let a scene read below all folders of the search path, and create files below the current
     /// folder.
-    pub fn allow_search_path(search: &super::SearchPath) -> Self {
+    pub fn for_search_path(search: &super::SearchPath) -> Self {
         // Fonts are not confidential, and include folders hold links to them.
         let read = search.folders.iter().chain(&search.fonts).cloned().collect();
         let current =
@@ -248,9 +248,9 @@ impl Files for Sandboxed<'_> {
         }
     }
 
-    fn inspect(&self, path: &Path) -> io::Result<Vec<u8>> {
+    fn read_unrecorded(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.check_read(path)?;
-        self.files.inspect(path)
+        self.files.read_unrecorded(path)
     }
 
     fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {

@@ -47,8 +47,9 @@ impl SearchPath {
         self
     }
 
-    /// Finds the first file or folder that has exactly this name, for `file_exists`.
-    pub fn find(&self, files: &dyn Files, name: &str) -> Option<PathBuf> {
+    /// Finds the first file or folder that has exactly this name, in this letter case and with its extension, for
+    /// `file_exists`.
+    pub fn find_exact(&self, files: &dyn Files, name: &str) -> Option<PathBuf> {
         self.search(name, None, |path| files.exists(path))
     }
 
@@ -175,9 +176,9 @@ mod tests {
     #[test]
     fn find_needs_the_exact_name() {
         let (_folder, search) = search(&["sub/low.inc"]);
-        assert!(search.find(&Disk, "sub/low.inc").is_some() && search.find(&Disk, "sub").is_some());
+        assert!(search.find_exact(&Disk, "sub/low.inc").is_some() && search.find_exact(&Disk, "sub").is_some());
         for name in ["sub/LOW.inc", "sub\\low.inc", "sub/low", ""] {
-            assert!(search.find(&Disk, name).is_none(), "{name}");
+            assert!(search.find_exact(&Disk, name).is_none(), "{name}");
         }
     }
 }

@@ -164,9 +164,9 @@ pub struct Expr {
 }
 
 impl Expr {
-    /// True if the expression contains a comparison or `?:` outside of brackets. Both have a meaning only in
-    /// parentheses, conditions and colours.
-    pub fn has_bare_comparison(&self) -> bool {
+    /// True if the expression contains a comparison, `&`, `|` or `?:` outside of brackets. All of them have a meaning
+    /// only in parentheses, conditions and colours.
+    pub fn has_bare_condition(&self) -> bool {
         match &self.kind {
             ExprKind::Chain(chain) => {
                 let op = chain.rest.first().map(|(op, _)| *op);

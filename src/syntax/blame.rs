@@ -39,7 +39,7 @@ pub fn unclosed_brace_error(outline: &Outline) -> Option<Diagnostic> {
     for (token, line, opened) in braces_lines_and_pairs(outline) {
         if let Some(inner) = opened {
             let outer = stack.last().map(|(outer, _)| *outer).filter(|_| blamed.is_none() && line.is_first);
-            if let Some(outer) = outer.filter(|outer| !can_contain(outline.head(outer), outline.head(inner))) {
+            if let Some(outer) = outer.filter(|outer| !can_block_contain(outline.head(outer), outline.head(inner))) {
                 blamed = Some((outer, Evidence::Inner(inner)));
             }
             stack.push((inner, line));
@@ -141,7 +141,7 @@ fn outdented_end_error(outline: &Outline) -> Option<Diagnostic> {
 }
 
 /// False if a block of the name `outer` certainly can't contain a block of the name `inner` directly.
-fn can_contain(outer: &str, inner: &str) -> bool {
+fn can_block_contain(outer: &str, inner: &str) -> bool {
     if word::lookup(inner).is_none() {
         return true;
     }

@@ -45,7 +45,7 @@ impl Opener {
     }
 
     /// True for `?` and the `<` of a vector, which end together with the bracket around them.
-    fn is_weak(self) -> bool {
+    fn is_closed_by_outer(self) -> bool {
         matches!(self, Opener::Angle | Opener::Choice | Opener::Otherwise)
     }
 }
@@ -142,8 +142,8 @@ impl Brackets {
         }
     }
 
-    /// Ends the innermost open directive.
-    pub(super) fn end_directive(&mut self) {
+    /// Removes the innermost open directive, at `#end`.
+    pub(super) fn close_directive(&mut self) {
         self.pop();
     }
 
@@ -155,6 +155,6 @@ impl Brackets {
     /// Returns the token indices of those open brackets that were opened before the outermost open directive.
     pub(super) fn bracket_tokens_outside_directives(&self) -> impl Iterator<Item = usize> + '_ {
         let outermost = self.stack.iter().take_while(|o| !matches!(o.0, Opener::Directive(_)));
-        outermost.filter(|o| !o.0.is_weak()).map(|o| o.1)
+        outermost.filter(|o| !o.0.is_closed_by_outer()).map(|o| o.1)
     }
 }

@@ -390,7 +390,7 @@ impl Lexer<'_> {
             },
             Some((class, Role::Ends)) => match self.brackets.end_body_and_class() {
                 Some(_) => {
-                    self.brackets.end_directive();
+                    self.brackets.close_directive();
                     self.push(class, end - at, 0);
                     self.add_cut_if_unnested();
                 }

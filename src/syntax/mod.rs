@@ -17,7 +17,7 @@ mod portable;
 mod tokens;
 pub mod word;
 
-pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, pieces, unescape};
+pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, split_one_level, unescape};
 pub use class::{continues, opens, structural_directives};
 pub use lex::is_ignored_char;
 pub use names::Names;

@@ -128,7 +128,7 @@ impl ListScanner {
             let Some(after) = self.scan_item_returning_end(bytes, i, sign_allowed || !first) else { break };
             let next = skip_blanks(bytes, after);
             let comma = bytes.get(next) == Some(&b',');
-            if !comma && literal_continues_at(bytes, next) {
+            if !comma && has_operator_or_index_at(bytes, next) {
                 self.data.truncate(start);
                 break;
             }
@@ -212,7 +212,7 @@ impl ListScanner {
 
 /// True if an operator, component or index at the offset `at` continues the literal before it. True for a comment too,
 /// so that the grammar decides.
-fn literal_continues_at(bytes: &[u8], at: usize) -> bool {
+fn has_operator_or_index_at(bytes: &[u8], at: usize) -> bool {
     matches!(
         bytes.get(at),
         Some(b'+' | b'-' | b'*' | b'/' | b'.' | b'(' | b'[' | b'=' | b'!' | b'&' | b'|' | b'?' | b'<' | b'>' | b':')
@@ -286,9 +286,9 @@ pub struct ItemSpans {
 }
 
 impl ItemSpans {
-    /// Returns the span of item `item` of the number list with the span `list` and the text `text`.
-    pub fn find(&mut self, text: &str, list: Span, item: usize) -> Option<Span> {
-        let bytes = text.as_bytes();
+    /// Returns the span of item `item` of the number list with the span `list`; `list_text` is the list's own text.
+    pub fn find(&mut self, list_text: &str, list: Span, item: usize) -> Option<Span> {
+        let bytes = list_text.as_bytes();
         if self.list != list || item < self.item {
             (self.list, self.item, self.at) = (list, 0, 0);
         }

@@ -85,7 +85,7 @@ where
         }
         let span = r.span();
         let mut entries = vec![];
-        while r.next()? == Next::Entry {
+        while r.peek_next()? == Next::Entry {
             r.take_token()?;
             let number = match r.optional_float()? {
                 Some(number) => number,
@@ -96,7 +96,7 @@ where
             r.leave_block()?;
         }
         if entries.is_empty() {
-            if r.next()? != Next::End {
+            if r.peek_next()? != Next::End {
                 return Err(r.unknown_word(T::MAP, &["[0.5 …]"]).into());
             }
             return Diagnostic::new(codes::EMPTY_MAP, span, format!("a `{}` needs at least one entry", T::MAP))
@@ -135,7 +135,7 @@ pub fn read_list<T: Entry>(
     }
     let mut list = vec![];
     while list.len() < pattern.cell_kind_count() {
-        if r.next()? == Next::Block(T::BLOCK) {
+        if r.peek_next()? == Next::Block(T::BLOCK) {
             r.take_token()?;
             list.push(T::read_entry(r, defaults)?);
             r.leave_block()?;

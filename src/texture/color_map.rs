@@ -62,7 +62,7 @@ impl ColorMap {
         }
         let span = r.span();
         let mut entries = vec![];
-        while r.next()? == Next::Entry {
+        while r.peek_next()? == Next::Entry {
             r.take_token()?;
             let from = r.float()?;
             match r.float_or_color()? {
@@ -75,7 +75,7 @@ impl ColorMap {
             r.leave_block()?;
         }
         if entries.is_empty() {
-            if r.next()? != Next::End {
+            if r.peek_next()? != Next::End {
                 return Err(r.unknown_word("color_map", &["[0.5 color …]"]).into());
             }
             return Diagnostic::new(codes::EMPTY_MAP, span, "a `color_map` needs at least one entry")

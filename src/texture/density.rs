@@ -45,7 +45,7 @@ impl Density {
         let defaults = Texture::default();
         let mut pigment = r.thing::<Density>()?.map_or_else(Pigment::default, |declared| declared.0.clone());
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next => pigment.read_element::<Density>(r, next, &defaults)?,
             }

@@ -151,7 +151,7 @@ impl Finish {
     pub fn read(r: &mut dyn Reader, base: &Finish) -> Result<Self> {
         let mut f = base.with_albedo_folded_in();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(f),
                 Next::Thing(_) => match r.thing::<Finish>()? {
                     Some(declared) => f = declared.with_albedo_folded_in(),
@@ -230,7 +230,7 @@ impl Irid {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self { amount: r.float()?, thickness: 0.0, turbulence: 0.0 };
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(out),
                 next if read_row(IRID_ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&IRID)),
@@ -255,7 +255,7 @@ impl Subsurface {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self::default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return Ok(out),
                 next if read_row(SUBSURFACE_ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&SUBSURFACE)),
@@ -286,7 +286,7 @@ impl Reflection {
             (out.min, out.max) = (first, r.color()?.rgb);
         }
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next if read_row(REFLECTION_ROWS, &mut out, next, r)? => said_fresnel |= next == Next::Word("fresnel"),
                 _ => return Err(r.unknown_word_in(&REFLECTION)),

@@ -66,10 +66,10 @@ impl ImageMap {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut bitmap = Bitmap::read(r)?;
+        let mut bitmap = Bitmap::read_picture(r)?;
         let mut clearness = Clearness::default();
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
                 next if bitmap.read_bitmap_word(r, next)? => {}
@@ -129,7 +129,7 @@ impl ImageMap {
 
     /// True if the `image_map`'s picture, as one of several pigments, counts as opaque: only its own alpha and palette
     /// count, not `filter`, nor `transmit all` of a picture without a palette (quirk: `image_seems_opaque`).
-    pub fn counts_as_opaque(&self) -> bool {
+    pub fn is_opaque_in_blend(&self) -> bool {
         let clear = |i: usize| match self.texels.palette_index(i) {
             Some(_) => self.pixel_color(i).transmit != 0.0,
             None => self.texels.rgba(i)[3] < 1.0,

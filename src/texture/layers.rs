@@ -85,10 +85,10 @@ impl Texture {
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut draft = Draft { uv: read_uv_mapping(r)?.unwrap_or(false), ..Draft::default() };
-        let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
+        let declared = if r.peek_next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next => out.read_element(r, next, &mut draft, base)?,
             }
@@ -278,7 +278,7 @@ fn map_by_uv(pattern: &mut Pattern) {
 fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut list = vec![];
     loop {
-        match r.next()? {
+        match r.peek_next()? {
             Next::End => break,
             Next::Word("tile2") => drop(r.take_token()?),
             Next::Block("texture") => {
@@ -304,7 +304,7 @@ fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) 
     let mut map = MaterialMap::read(r)?;
     let mut list = vec![];
     loop {
-        match r.next()? {
+        match r.peek_next()? {
             Next::Block("texture") => {
                 r.take_token()?;
                 list.push(Texture::read(r, base)?);
@@ -327,7 +327,7 @@ impl Entry for Texture {
     /// Reads one layer of a texture without braces, or several with them.
     fn read_entry(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut out: Option<Texture> = None;
-        while r.next()? == Next::Block("texture") {
+        while r.peek_next()? == Next::Block("texture") {
             r.take_token()?;
             let layer = Texture::read(r, base)?;
             r.leave_block()?;

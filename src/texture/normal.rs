@@ -87,7 +87,7 @@ impl Normal {
             (out.pattern.uv, out.stays) = (on, out.stays || on);
         }
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next => out.read_element(r, next, defaults)?,
             }
@@ -130,7 +130,7 @@ impl Normal {
                 self.read_bump_amount(r)?;
             }
             // Cells without a list make bumps where their numbers jump.
-            let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
+            let listed = matches!(r.peek_next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
             let list = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())?;
             if let Some(list) = list {
                 // The accuracy of a default or declared normal ends there; it stays with other patterns (quirk:

@@ -70,7 +70,7 @@ impl Pigment {
             pigment.pattern.uv = on;
         }
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Word("uv_mapping") if after_name => pigment.reset_by_uv_mapping(r)?,
                 next => pigment.read_element::<Pigment>(r, next, defaults)?,
@@ -269,10 +269,10 @@ impl Pigment {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// True if a surface with this pigment counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
-    pub fn counts_as_opaque(&self) -> bool {
+    /// True if POV-Ray lets a surface with this pigment cast a full shadow (see [`ImageMap::is_opaque_in_blend`]).
+    pub fn is_opaque_for_shadows(&self) -> bool {
         match &self.paint {
-            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::counts_as_opaque)),
+            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::is_opaque_in_blend)),
             _ => self.is_opaque(),
         }
     }

@@ -94,15 +94,15 @@ impl PigmentProgram {
         }
     }
 
-    /// True if [`Self::support_on_ray`] returns the ends of a region.
+    /// True if [`Self::known_support_on_ray`] returns the ends of a region.
     pub fn has_support(&self) -> bool {
         self.pattern_if_black_outside().is_some()
     }
 
     /// Returns distances along a ray of the outer space outside of which the pigment is black; `None` if no such region
     /// is known.
-    pub fn support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
-        self.pattern_if_black_outside()?.support_on_ray(ray)
+    pub fn known_support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
+        self.pattern_if_black_outside()?.known_support_on_ray(ray)
     }
 
     /// True if the pigment is certainly black everywhere in the box with these corners, in the outer space.

@@ -109,7 +109,7 @@ impl<'w> FrameContext<'w> {
     }
 
     /// True if all light comes from light sources, and the quality level shows lights, pigments and reflection.
-    pub(super) fn has_plain_light(&self) -> bool {
+    pub(super) fn has_only_source_light(&self) -> bool {
         let quality = &self.quality;
         let is_shown = quality.lights && quality.pigments && quality.reflection;
         is_shown && !quality.subsurface && self.radiosity.is_none() && self.photons.is_none()

@@ -50,10 +50,17 @@ impl Interface {
         Self { n1, n2, mirror: (own_ior, beyond), leaves: Some(at) }
     }
 
-    /// Returns the boundary for light of one hue (see [`Interior::ior_of_hue`]). Its reflectance stays that of white
-    /// light (quirk: `dispersion_ior`).
-    pub fn of_hue(self, hue: f64, inside: &Interiors, own_interior: u32, interiors: &[Arc<Interior>]) -> Self {
-        let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of_hue(hue));
+    /// Returns the boundary for light of one hue, from 0 for red to 1 for violet (see [`Interior::ior_of_hue`]). Its
+    /// reflectance stays that of white light (quirk: `dispersion_ior`).
+    pub fn of_hue(
+        self,
+        red_to_violet: f64,
+        inside: &Interiors,
+        own_interior: u32,
+        interiors: &[Arc<Interior>],
+    ) -> Self {
+        let ior =
+            |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of_hue(red_to_violet));
         Self { n1: ior(inside.last().copied()), n2: ior(self.interior_beyond(inside, own_interior)), ..self }
     }
 

@@ -86,7 +86,7 @@ impl<'w> Tracer<'w> {
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()
             && material.is_plain
-            && self.has_plain_light
+            && self.has_only_source_light
             && let Some(at) = PlainPoint::new(self.context.world, part, &state.ray, &hit)
         {
             self.add_plain_light(state, &at, sum);

@@ -61,8 +61,8 @@ pub(super) fn bounces<'a>(mirrors: &'a [Mirror]) -> impl Iterator<Item = Bounce>
 }
 
 /// True if a bounce's reflected light is proportional to the incoming light: no layer has an `exponent` except 1.
-pub(super) fn is_linear(mirrors: &[Mirror], ray: Bounce) -> bool {
-    mirrors.iter().all(|mirror| mirror.reflection.exponent == 1.0 || mirror.bounce != ray)
+pub(super) fn is_linear(mirrors: &[Mirror], bounce: Bounce) -> bool {
+    mirrors.iter().all(|mirror| mirror.reflection.exponent == 1.0 || mirror.bounce != bounce)
 }
 
 /// Returns the radiance that a bounce's layers reflect from the incoming `light` into the direction `out`, at `point`.
@@ -70,12 +70,12 @@ pub(super) fn reflected_radiance(
     mirrors: &[Mirror],
     point: DVec3,
     context: MirrorContext,
-    ray: Bounce,
+    bounce: Bounce,
     out: DVec3,
     light: Rgb,
 ) -> Rgb {
     let mut sum = Rgb::ZERO;
-    for mirror in mirrors.iter().filter(|mirror| mirror.bounce == ray) {
+    for mirror in mirrors.iter().filter(|mirror| mirror.bounce == bounce) {
         let light = light * film_factor(point, mirror.shaded, out, context.world);
         let seen = match mirror.reflection.exponent {
             1.0 => light,

@@ -168,7 +168,7 @@ impl<'w> Painter<'w, '_> {
     ) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
-                let (number, inner) = choice.pattern.number_and_entry_context(&self.pattern_context(ctx));
+                let (number, inner) = choice.pattern.number_and_entry_context(&self.context_with_pattern_normal(ctx));
                 let inner = TextureContext { normal: ctx.normal, ..inner };
                 let within = PatternSpaces { space: &choice.space, outer: frame };
                 let mut shares = choice.shares(number);
@@ -188,7 +188,7 @@ impl<'w> Painter<'w, '_> {
     }
 
     /// Returns the texture context with the normal that `slope` and `aoi` use in place of its own.
-    fn pattern_context(&self, ctx: &TextureContext) -> TextureContext {
+    fn context_with_pattern_normal(&self, ctx: &TextureContext) -> TextureContext {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
@@ -202,7 +202,9 @@ impl<'w> Painter<'w, '_> {
             let use_quick_color = !self.quality.pigments;
             let bumped = match bumps {
                 None => Bumped { lit: ctx.normal, seen: self.pattern_normal, weight: Rgb::ONE },
-                Some(bumps) => Bumped::new(bumps, &self.pattern_context(ctx), ctx.normal, self.placed, frame),
+                Some(bumps) => {
+                    Bumped::new(bumps, &self.context_with_pattern_normal(ctx), ctx.normal, self.placed, frame)
+                }
             };
             let Bumped { lit: normal, seen, weight } = bumped;
             // quirk: slope_after_bumps

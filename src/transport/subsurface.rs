@@ -111,10 +111,10 @@ impl<'w> Tracer<'w> {
             // Points of a spiral on the sphere, which is turned by chance
             let cos = 1.0 - 2.0 * (f64::from(i) + exit.random.at(0)) / f64::from(n_samples);
             let sin = (1.0 - cos * cos).max(0.0).sqrt();
-            let (y, x) = fp::sin_cos(TAU * fp::fraction(f64::from(i) * GOLDEN + exit.random.at(1)));
+            let (y, x) = fp::sin_cos(TAU * fp::fraction_above_floor(f64::from(i) * GOLDEN + exit.random.at(1)));
             let ray =
                 Ray::new(origins[i as usize % origins.len()], exit.normal * cos + (tangent * x + bitangent * y) * sin);
-            let Some(hit) = self.next_surface(&ray) else { continue };
+            let Some(hit) = self.closest_surface(&ray) else { continue };
             n_hits += 1;
             if self.interior_of(&hit) != exit.interior {
                 continue;
@@ -208,7 +208,7 @@ impl<'w> Tracer<'w> {
         for light in &world.lights {
             let below = light.emitter.sample(point, DVec3::ZERO);
             let to_light = Ray::new(point, below.from);
-            let Some(hit) = self.next_surface(&to_light).filter(|hit| self.interior_of(hit) == exit.interior) else {
+            let Some(hit) = self.closest_surface(&to_light).filter(|hit| self.interior_of(hit) == exit.interior) else {
                 continue;
             };
             let surface = hit.surface(&to_light);
@@ -235,8 +235,8 @@ impl<'w> Tracer<'w> {
         sum
     }
 
-    /// Returns the next surface of any object along a ray from inside a solid.
-    fn next_surface(&self, ray: &Ray) -> Option<Intersection<'w>> {
+    /// Returns the closest hit of any object along a ray from inside a solid.
+    fn closest_surface(&self, ray: &Ray) -> Option<Intersection<'w>> {
         let world = self.context.world;
         let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
         world.geometry.closest(ray, range, |_| true)
@@ -244,7 +244,7 @@ impl<'w> Tracer<'w> {
 
     /// Returns the distance up to the next surface along a ray from a surface into the solid.
     fn distance_inside(&self, ray: &Ray) -> Option<f64> {
-        self.next_surface(ray).map(|hit| hit.t())
+        self.closest_surface(ray).map(|hit| hit.t())
     }
 
     fn interior_of(&self, hit: &Intersection) -> u32 {

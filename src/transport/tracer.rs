@@ -62,8 +62,9 @@ pub struct Tracer<'w> {
     pub(super) max_trace_level: u32,
     /// Importance below which rays are not traced.
     pub(super) adc_bailout: f64,
-    /// See [`FrameContext::has_plain_light`]: a plain surface then needs no more than a [`super::plain::PlainPoint`].
-    pub(super) has_plain_light: bool,
+    /// See [`FrameContext::has_only_source_light`]: a plain surface then needs no more than a
+    /// [`super::plain::PlainPoint`].
+    pub(super) has_only_source_light: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
     /// Photons of the last search; kept to save allocations.
@@ -87,7 +88,7 @@ impl<'w> Tracer<'w> {
             queue: vec![],
             max_trace_level: context.world.max_trace_level,
             adc_bailout: context.world.adc_bailout,
-            has_plain_light: context.has_plain_light(),
+            has_only_source_light: context.has_only_source_light(),
             traces_photons: false,
             found_photons: vec![],
         }

@@ -16,7 +16,7 @@ pub fn positive(word: &str, r: &mut dyn Reader) -> Result<f64> {
 ///
 /// # Errors
 /// E0209 at the number if it is not.
-pub fn share_up_to_one(word: &str, r: &mut dyn Reader) -> Result<f64> {
+pub fn positive_up_to_one(word: &str, r: &mut dyn Reader) -> Result<f64> {
     checked(word, "more than 0 and at most 1", |value| value > 0.0 && value <= 1.0, r)
 }
 

@@ -19,11 +19,11 @@ pub trait Readable: Sized + 'static {
     /// A diagnostic at the first item that is not understood.
     fn read(r: &mut dyn Reader) -> Result<Self>;
 
-    /// Reads the form with braces of a pattern that has forms with and without, after the opening brace.
+    /// Reads the positional parameters after the opening brace, for a pattern that has forms with and without braces.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    fn read_block(r: &mut dyn Reader) -> Result<Self> {
+    fn read_braced_params(r: &mut dyn Reader) -> Result<Self> {
         Self::read(r)
     }
 
@@ -32,7 +32,7 @@ pub trait Readable: Sized + 'static {
     fn read_params(next: Next, r: &mut dyn Reader) -> Option<Result<Self>> {
         match next {
             Next::Word(name) if name == Self::SPEC.name => Some(Self::read(r)),
-            Next::Block(name) if name == Self::SPEC.name => Some(Self::read_block(r)),
+            Next::Block(name) if name == Self::SPEC.name => Some(Self::read_braced_params(r)),
             _ => None,
         }
     }

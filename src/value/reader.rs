@@ -97,13 +97,13 @@ pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
 /// macro before the token.
 pub trait Reader {
     /// Returns the kind of the scene's next token, which is not consumed. Commas and semicolons are skipped.
-    fn next(&mut self) -> Result<Next>;
-    /// Returns the kind of the next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run:
-    /// they may use the name that is being declared.
-    fn next_in_statement(&mut self) -> Result<Next>;
+    fn peek_next(&mut self) -> Result<Next>;
+    /// Returns the kind of the next token, which is not consumed, or `Next::End` if a directive or a `;` precedes it.
+    /// Directives do not run: they may use the name that is being declared.
+    fn peek_until_directive(&mut self) -> Result<Next>;
     /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
-    /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::next`] returned.
+    /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::peek_next`] returned.
     fn take_token(&mut self) -> Result<Span>;
     /// Consumes the end of the block; any other token is an error.
     fn leave_block(&mut self) -> Result<()>;
@@ -167,8 +167,9 @@ pub trait Reader {
     fn open_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Arc<Picture>>;
     /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once per run.
     fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
-    /// Reads `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
-    fn read_sized_function(&mut self) -> Result<Option<SizedFunction>>;
+    /// Reads `function W, H { … }`, announced by [`Next::Function`]; consumes nothing and returns `None` if it has no
+    /// size.
+    fn read_function_if_sized(&mut self) -> Result<Option<SizedFunction>>;
     /// Reports a diagnostic about the scene, and continues reading.
     fn report(&mut self, diagnostic: Diagnostic);
     /// Returns the error "expected …, found …" about the scene's next token.
@@ -190,14 +191,14 @@ pub trait ReaderExt: Reader {
 
 impl<R: Reader + ?Sized> ReaderExt for R {
     fn accept(&mut self, word: &str) -> Result<bool> {
-        match self.next()? {
+        match self.peek_next()? {
             Next::Word(w) if w == word => self.take_token().map(|_| true),
             _ => Ok(false),
         }
     }
 
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
-        if !matches!(self.next()?, Next::Thing(_)) {
+        if !matches!(self.peek_next()?, Next::Thing(_)) {
             return Ok(None);
         }
         let (thing, span) = self.take_thing()?;

@@ -45,7 +45,7 @@ impl ChildBvh {
     pub fn visit_children_around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) -> ControlFlow<()> {
         self.rest.iter().try_for_each(|&child| visit(child as usize))?;
         let mut flow = ControlFlow::Continue(());
-        self.bvh.visit_boxes_containing(p, |i| {
+        self.bvh.visit_items_near_point(p, |i| {
             flow = visit(self.order[i] as usize);
             flow
         });

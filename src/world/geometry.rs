@@ -158,14 +158,14 @@ impl Geometry {
             };
             // (The shared geometry of an instance contains no instances.)
             let shared = instance.into_iter().flat_map(|instance| {
-                instance.shared().solids().map(|node| PlacedSolid { node, instance: Some(instance) })
+                instance.shared().non_instanced_solids().map(|node| PlacedSolid { node, instance: Some(instance) })
             });
             solid.into_iter().chain(shared)
         })
     }
 
-    /// Returns the objects that are not instances.
-    pub(super) fn solids(&self) -> impl Iterator<Item = &SolidNode> {
+    /// Returns the objects that are not instances; those in instances are left out.
+    pub(super) fn non_instanced_solids(&self) -> impl Iterator<Item = &SolidNode> {
         self.items.iter().filter_map(|item| match item {
             Item::Solid(node) => Some(node),
             Item::Instance(_) => None,
@@ -351,7 +351,7 @@ impl Geometry {
         };
         self.items[self.finite..].iter().for_each(&mut ask);
         self.unbounded.iter().for_each(|&i| ask(&self.items[i as usize]));
-        self.bvh.visit_boxes_containing(p, |i| {
+        self.bvh.visit_items_near_point(p, |i| {
             if self.unbounded.binary_search(&(i as u32)).is_err() {
                 ask(&self.items[i]);
             }
@@ -464,8 +464,9 @@ impl<'a> PlacedSolid<'a> {
         self.node.inside(self.instance.map_or(p, |instance| instance.local_point(p)))
     }
 
-    /// Returns the name of the solid's first shape, and the shape's index in [`super::World::parts`].
-    pub fn shape_name_and_part(&self) -> Option<(&'static str, u32)> {
+    /// Returns the name of the solid's first shape, and the shape's index in [`super::World::parts`]; `None` for a
+    /// solid without a shape.
+    pub fn first_shape_name_and_part(&self) -> Option<(&'static str, u32)> {
         let leaf = first_leaf(self.node)?;
         Some((leaf.shape.spec().name, self.instance.map_or(leaf.id, |instance| instance.part_number_of(leaf))))
     }

@@ -82,7 +82,7 @@ impl Instance {
 
     /// Returns a box around all hits on the instance, in world space.
     pub fn bounds(&self) -> Aabb {
-        self.shared.solids().map(|node| self.bounds_of(node)).fold(Aabb::EMPTY, Aabb::union)
+        self.shared.non_instanced_solids().map(|node| self.bounds_of(node)).fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// Returns a box around all hits of one of the shared solids, in world space.

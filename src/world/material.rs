@@ -150,7 +150,7 @@ impl Material {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
         Self {
             // One opaque layer is enough.
-            opaque: texture.layers.iter().any(counts_as_opaque),
+            opaque: texture.layers.iter().any(is_opaque_for_shadows),
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
@@ -170,14 +170,14 @@ impl Material {
     }
 }
 
-/// True if a layer counts as opaque (quirk: `opaque_pigment_map`).
-fn counts_as_opaque(layer: &texture::Layer) -> bool {
+/// True if a layer counts as opaque for shadows (quirk: `opaque_pigment_map`).
+fn is_opaque_for_shadows(layer: &texture::Layer) -> bool {
     match &layer.choice {
         Some(choice) if choice.is_material_map() => {
-            choice.parts.iter().all(|part| part.layers.iter().any(counts_as_opaque))
+            choice.parts.iter().all(|part| part.layers.iter().any(is_opaque_for_shadows))
         }
         Some(_) => is_opaque(layer),
-        None => layer.pigment.counts_as_opaque(),
+        None => layer.pigment.is_opaque_for_shadows(),
     }
 }
 

@@ -90,7 +90,7 @@ impl Medium {
             return everywhere;
         }
         let local = self.place.as_ref().map_or(*ray, |place| place.inverse_transform_ray(ray));
-        let extents = self.densities.iter().filter_map(|density| density.support_on_ray(&local));
+        let extents = self.densities.iter().filter_map(|density| density.known_support_on_ray(&local));
         extents.fold(everywhere, |[from, to], [start, end]| [from.max(start), to.min(end)])
     }
 }

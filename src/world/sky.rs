@@ -75,21 +75,21 @@ impl Sky {
         if self.by_share { self.mix_by_share(colors, behind) } else { self.composite_layers(colors, behind) }
     }
 
-    /// Composites the layers of the sky sphere, given from the topmost on, over the light `behind`.
-    fn composite_layers(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
+    /// Composites the colours of the layers of the sky sphere, from the topmost on, over the light `behind`.
+    fn composite_layers(&self, colors_from_top: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let veil = |color: Color| Segment {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
             transmittance: color.transmittance(),
         };
-        colors.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
+        colors_from_top.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
     }
 
-    /// Mixes the layers of the sky sphere by their shares, as before version 3.7. Light that passes all layers is
-    /// tinted by the product of their colours (quirk: `sky_by_share`).
-    fn mix_by_share(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
+    /// Mixes the colours of the layers of the sky sphere, from the topmost on, by their shares, as before version 3.7.
+    /// Light that passes all layers is tinted by the product of their colours (quirk: `sky_by_share`).
+    fn mix_by_share(&self, colors_from_top: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let (mut light, mut share) = (Rgb::ZERO, 1.0);
         let (mut transmit, mut filter, mut tint) = (1.0, 1.0, Rgb::ONE);
-        for color in colors {
+        for color in colors_from_top {
             light += color.rgb * (share * (1.0 - color.filter - color.transmit));
             share *= color.filter + color.transmit;
             (transmit, filter, tint) = (transmit * color.transmit, filter * color.filter, tint * color.rgb);

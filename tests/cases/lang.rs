@@ -133,7 +133,7 @@ struct Ran {
 fn run(path: &Path, name: &str, text: String, granularity: Granularity) -> Ran {
     let folder = path.parent().unwrap_or(Path::new("."));
     let options = Options {
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         search: SearchPath::new(folder, &[]),
         granularity,
         ..Options::default()

@@ -53,7 +53,7 @@ fn options() -> Options {
     Options {
         // Files that a scene has written are in the current folder.
         search: SearchPath { folders: vec![".".into()], fonts: vec![] },
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         size: SIZE,
         ..Options::default()
     }

@@ -344,7 +344,7 @@ fn world_of(source: &Path, text: &str, size: (usize, usize)) -> Result<World, Fa
 fn options(folder: &Path) -> Options {
     let search = SearchPath::new(folder, &[]);
     Options {
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         search,
         input_name: "example.pov".into(),
         size: SIZE,

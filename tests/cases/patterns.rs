@@ -128,7 +128,12 @@ fn scene(settings: &str, function: &str, part: &str, rows: &[Vec<f64>]) -> Strin
 }
 
 fn options() -> Options {
-    Options { sandbox: Sandbox::read_only(), search: SearchPath::new(&folder(), &[]), size: SIZE, ..Options::default() }
+    Options {
+        sandbox: Sandbox::with_writes_in_memory(),
+        search: SearchPath::new(&folder(), &[]),
+        size: SIZE,
+        ..Options::default()
+    }
 }
 
 /// The numbers that a scene prints.

@@ -130,7 +130,7 @@ fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
         search: SearchPath::new(path.parent().unwrap(), &[]),
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         size: SIZE,
         ..interpreter::Options::default()
     };

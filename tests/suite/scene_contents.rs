@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 fn outcome(text: &str, fonts: Vec<PathBuf>) -> Outcome {
     let options = Options {
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         search: SearchPath { folders: vec![], fonts },
         size: (4, 3),
         ..Options::default()

@@ -47,7 +47,7 @@ fn run(path: &Path, text: &str, granularity: Granularity, max_steps: u64) -> Ran
     let folder = path.parent().unwrap();
     let search = SearchPath::new(folder, &[]);
     let options = Options {
-        sandbox: Sandbox::read_only(),
+        sandbox: Sandbox::with_writes_in_memory(),
         search,
         input_name: path.file_name().unwrap().to_string_lossy().into_owned(),
         size: (64, 48),

@@ -61,8 +61,8 @@ impl FinishedFrames {
         })
     }
 
-    /// True if an earlier run finished this frame in any way.
-    pub fn has(&self, frame: u32) -> bool {
+    /// True if an earlier run finished this frame in any way. Frames that this run has added do not count.
+    pub fn was_finished_earlier(&self, frame: u32) -> bool {
         self.old.iter().any(|entry| entry.frame == frame)
     }
 

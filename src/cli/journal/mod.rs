@@ -304,9 +304,9 @@ impl Journal {
         self.state().error.as_ref().map(ToString::to_string)
     }
 
-    /// Deletes the journal's file after the picture has been written. A file of other work that nothing was written to
-    /// remains.
-    pub fn remove(&self) {
+    /// Deletes the journal's file after the picture has been written. A file without this run's header, which may be of
+    /// other work, remains.
+    pub fn remove_if_written(&self) {
         let state = self.state();
         if state.key.is_some() {
             state.file.delete();

@@ -45,7 +45,7 @@ impl<'s> Files<'s> {
     /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
     pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
-        let path = self.path_beside_ini(&with_ini_extension(name), Path::is_file);
+        let path = self.path_here_or_beside_ini(&with_ini_extension(name), Path::is_file);
         self.check_ini_may_name(&path, span)?;
         let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
         if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
@@ -68,7 +68,7 @@ impl<'s> Files<'s> {
 
     /// True if a word names an INI file, also one that is beside the INI file with the word.
     pub fn is_ini(&self, word: &str) -> bool {
-        let exists = |word: &str| self.path_beside_ini(word, Path::is_file).is_file();
+        let exists = |word: &str| self.path_here_or_beside_ini(word, Path::is_file).is_file();
         is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini_extension(word))
     }
 
@@ -79,15 +79,19 @@ impl<'s> Files<'s> {
 
     /// Returns the path of a scene in the current folder, as in POV-Ray, or else beside the INI file that names it.
     pub fn scene_path(&self, name: &str) -> String {
-        self.path_beside_ini(name, |path| path.is_file() || exists_with_pov_extension(path)).display().to_string()
+        self.path_here_or_beside_ini(name, |path| path.is_file() || exists_with_pov_extension(path))
+            .display()
+            .to_string()
     }
 
     /// Returns the path of a folder in the current folder, or else beside the INI file that names it.
     pub fn folder_path(&self, name: &str) -> String {
-        self.path_beside_ini(name, Path::is_dir).display().to_string()
+        self.path_here_or_beside_ini(name, Path::is_dir).display().to_string()
     }
 
-    fn path_beside_ini(&self, name: &str, is_there: impl Fn(&Path) -> bool) -> PathBuf {
+    /// Returns the path `name` if `is_there` accepts it, or else the path beside the open INI file if `is_there`
+    /// accepts that; `name` if neither.
+    fn path_here_or_beside_ini(&self, name: &str, is_there: impl Fn(&Path) -> bool) -> PathBuf {
         let name = Path::new(name);
         let beside = self.open.last().and_then(|(ini, _)| ini.parent());
         let beside = beside.map(|folder| relative_to_current_folder(&folder.join(name))).filter(|path| is_there(path));

@@ -51,7 +51,7 @@ pub fn first_index_and_word(words: &[OsString]) -> Option<(usize, String)> {
 }
 
 /// True if the word is a command that reads a scene, and no file has this name.
-pub fn is_command(word: &str) -> bool {
+pub fn is_scene_command(word: &str) -> bool {
     commands().find_subcommand(word).is_some_and(accepts_povray_options) && !Path::new(word).exists()
 }
 
@@ -59,8 +59,9 @@ fn accepts_povray_options(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 
-/// True if the command has this long option. The commands `check` and `pick` lack the options for pictures.
-pub fn has_option(command: &str, word: &str) -> bool {
+/// True if the command has this long option, and for every word that is no long option. The commands `check` and `pick`
+/// lack the options for pictures.
+pub fn accepts_word(command: &str, word: &str) -> bool {
     let all = commands();
     let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
     let own = all.find_subcommand(command).into_iter().flat_map(Command::get_arguments);
@@ -133,7 +134,7 @@ impl Translation<'_> {
         let options =
             self.option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
         let options = options
-            .filter(|own| has_option(command.get_name(), &own.name) && !is_set(&own.name))
+            .filter(|own| accepts_word(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
         let words =

@@ -191,7 +191,7 @@ impl<'s> Translation<'s> {
                 self.options.push(DurerOption { name, words });
             }
             // `durer +W8 check a.pov`
-            None if self.command.is_none() && self.scenes.is_empty() && mixed::is_command(&text) => {
+            None if self.command.is_none() && self.scenes.is_empty() && mixed::is_scene_command(&text) => {
                 self.command = Some(text);
             }
             None => self.option(&text, Origin::default()),
@@ -251,7 +251,9 @@ impl<'s> Translation<'s> {
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
         let value = without_quotes(value);
         match (row.takes, switch_value(value)) {
-            (Takes::MaybeText, _) if value.is_empty() && row.is_text_file() => self.apply(row, text, "", true, origin),
+            (Takes::MaybeText, _) if value.is_empty() && row.has_default_text_file() => {
+                self.apply(row, text, "", true, origin)
+            }
             (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
@@ -279,7 +281,7 @@ impl<'s> Translation<'s> {
         match if on { row.on } else { row.off } {
             Effect::Same => Ok(()),
             Effect::TextFile(stream) => {
-                let name = if value.is_empty() && row.is_text_file() { stream.default_file() } else { value };
+                let name = if value.is_empty() && row.has_default_text_file() { stream.default_file() } else { value };
                 self.add_text_file(stream, name, origin)
             }
             Effect::Silence(stream) => {
@@ -349,7 +351,7 @@ impl<'s> Translation<'s> {
         }
         self.translate_text_stream_options();
         let options = self.option_words(self.any_switch);
-        let known = |word: &OsString| mixed::has_option(&command, &word.to_string_lossy());
+        let known = |word: &OsString| mixed::accepts_word(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
         let mut words = vec![program, command.into()];
         words.extend(options);
@@ -369,14 +371,15 @@ impl<'s> Translation<'s> {
         Translated { words, animation, diagnostics, idle, is_povray_line, text_output }
     }
 
-    /// Returns all options in durer's form. With `plain`, anti-aliasing is off unless `+A` turns it on.
-    fn option_words(&mut self, plain: bool) -> Vec<OsString> {
+    /// Returns all options in durer's form. With `antialias_off_by_default`, anti-aliasing is off unless `+A` turns it
+    /// on.
+    fn option_words(&mut self, antialias_off_by_default: bool) -> Vec<OsString> {
         let options = own::drop_overridden(std::mem::take(&mut self.options));
         let is_named = |name: &str| options.iter().any(|o| o.name == name);
         // Without a picture file, `+FN` and its kin have no effect.
         let is_idle =
             |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth", "--gray"].contains(&name);
-        let parts = self.settings.durer_options(plain).into_iter().map(DurerOption::new);
+        let parts = self.settings.durer_options(antialias_off_by_default).into_iter().map(DurerOption::new);
         // An option of durer's own overrides the default that anti-aliasing is off.
         let parts = parts.filter(|part| !is_named(&part.name) && !is_idle(&part.name));
         let parts: Vec<_> = parts.flat_map(|part| part.words).collect();

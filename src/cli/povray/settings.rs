@@ -274,14 +274,14 @@ impl Settings {
         let name = self.output.clone().filter(|name| !name.is_empty())?;
         let path = Path::new(&name);
         let is_whole = name == "-" || name.ends_with(std::path::is_separator) || path.exists() && !path.is_file();
-        if is_whole || self.has_ending(path) {
+        if is_whole || self.has_format_extension(path) {
             return Some(name);
         }
         Some(format!("{}.{}", name.trim_end_matches('.'), self.format.unwrap_or("png")))
     }
 
     /// True if the path has the extension of the chosen format, or of any format if none was chosen.
-    fn has_ending(&self, path: &Path) -> bool {
+    fn has_format_extension(&self, path: &Path) -> bool {
         let found = Format::from_path(path).ok();
         found.is_some() && self.format.is_none_or(|format| Format::from_name(format) == found)
     }

@@ -18,8 +18,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// True for an option such as `All_File`, which asks for a file even without a name.
-    pub fn is_text_file(&self) -> bool {
+    /// True for an option of an INI file such as `All_File`, which asks for a text file even without a name.
+    pub fn has_default_text_file(&self) -> bool {
         self.switch.is_empty() && matches!(self.on, TextFile(_))
     }
 }

@@ -79,7 +79,7 @@ impl Config {
         // A single picture gets exactly the name that the command line gives, unless an INI file makes it one of many.
         let exact_name = exact_name || animation.is_none() && args.output.is_some();
         let animation = animation_of(&args, animation)?;
-        let target = checked_target(&input, &args)?;
+        let target = target_within_memory_limits(&input, &args)?;
         check_stdout(&input, &args, &target, animation.is_some())?;
         let (pictures, target) = match &animation {
             Some(animation) if args.scene.frame.is_none() => (Pictures::Animation(animation.clone()), target),
@@ -205,7 +205,7 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
 }
 
 /// Returns the destination of the picture; an error if the picture does not fit into memory.
-fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> {
+fn target_within_memory_limits(input: &std::path::Path, args: &RenderArgs) -> Result<Target> {
     if args.dump.is_none() {
         memory::check_pixel_count(args.scene.size())?;
         if args.scene.is_untrusted() {

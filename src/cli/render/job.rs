@@ -93,7 +93,7 @@ impl<'a> Job<'a> {
             Pictures::Animation(animation) => {
                 let picture = config.target.file().filter(|_| config.dump.is_none());
                 let finished = picture.map(|path| FinishedFrames::new(path, config.resume)).transpose()?;
-                for (frame, shard) in frames_and_shares(animation.frames().collect(), config.shard) {
+                for (frame, shard) in frames_and_shares(animation.frames_to_render().collect(), config.shard) {
                     let target = config.target.numbered(frame, animation.digits);
                     let target = shard.map(|shard| target.of_shard(shard)).unwrap_or(target);
                     self.render_frame(finished.as_ref(), &target, animation.timing(frame))?;
@@ -118,7 +118,7 @@ impl<'a> Job<'a> {
     /// Reads the scene's text and builds Scene and World for a frame. `now` is the value of the constant, or `None` for
     /// the present. Warnings that an earlier frame has reported are removed.
     fn build(&mut self, timing: Timing, cancel: &CancelToken, now: Option<Duration>) -> Built {
-        self.console.print_line_as_povray(client_lines::PARSING);
+        self.console.print_line_for_povray_clients(client_lines::PARSING);
         self.sources.begin_run();
         self.host = Arc::new(MeteredHost::new(now));
         let (cancel, host) = (cancel.clone(), self.host.clone());
@@ -207,7 +207,7 @@ impl<'a> Job<'a> {
             self.written.push(picture.to_path_buf());
             return Ok(Exit::Fine);
         }
-        if finished.has(timing.frame) {
+        if finished.was_finished_earlier(timing.frame) {
             let picture = picture.display();
             let text = format!(
                 "`{picture}` is rendered again: the file, a file that the scene reads, durer or an option has changed\n"
@@ -246,8 +246,8 @@ impl<'a> Job<'a> {
         Ok(Rendered { rays, passes, is_black, trace_time, encode_time, warnings: vec![] })
     }
 
-    /// Renders a world into the picture's file, and reports an unfinished picture.
-    fn render_to_draft(
+    /// Renders a world, writes the picture to its target, and reports an unfinished picture.
+    fn render_world_to_target(
         &self,
         target: &Target,
         world: &mut World,
@@ -256,7 +256,7 @@ impl<'a> Job<'a> {
         token: &CancelToken,
     ) -> Result<Rendered> {
         let (console, config) = (self.console, self.config);
-        console.print_line_as_povray(client_lines::RENDERING);
+        console.print_line_for_povray_clients(client_lines::RENDERING);
         let drawing = config.drawing(timing);
         let pixels = match target.shard() {
             Some(shard) => Layout::new(&drawing, shard.count).blocks(shard).iter().map(Region::n_pixels).sum(),
@@ -310,7 +310,7 @@ impl<'a> Job<'a> {
         }
         if let Some(journal) = journal {
             journal::failure_note(journal).iter().for_each(|note| self.console.info(note));
-            journal.remove();
+            journal.remove_if_written();
         }
     }
 
@@ -355,7 +355,7 @@ impl<'a> Job<'a> {
         self.advise(advice::time_warnings(&world, &config.drawing(timing)));
         let deferred = DeferredSignals::begin();
         let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
-            self.render_to_draft(target, &mut world, timing, journal.as_ref(), token)?;
+            self.render_world_to_target(target, &mut world, timing, journal.as_ref(), token)?;
         self.advise(warnings);
         self.record_picture_as_finished(target, timing, journal.as_deref(), finished);
         drop(deferred);

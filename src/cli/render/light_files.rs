@@ -7,7 +7,8 @@ use crate::cli::journal::Journal;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::render;
 use crate::scene::{
-    Digest, LightFile, LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, SavedLight, is_light_file,
+    Digest, LightFile, LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, SavedLight,
+    is_light_file_or_empty,
 };
 use crate::source::{Disk, Files, Sandbox, Sandboxed, Sources, Span, WriteMode, WritePolicy};
 use crate::world::World;
@@ -205,7 +206,7 @@ impl LightSaver {
 /// contains such saved light.
 fn save_to_user_path(path: &Path, kind: LightKind, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
     let save = || {
-        if Disk.exists(path) && !is_light_file(&Disk.read(path)?) {
+        if Disk.exists(path) && !is_light_file_or_empty(&Disk.read(path)?) {
             return Err(io::Error::other("the file exists, and durer did not save it"));
         }
         let mut draft = Disk.draft(path)?;

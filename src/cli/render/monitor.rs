@@ -121,7 +121,7 @@ impl Monitor<'_> {
 
     /// Returns the reason why the picture was not finished.
     fn stop_failure(&self) -> Failure {
-        interrupt::await_cancelled_work();
+        interrupt::acknowledge_cancellation();
         if let Some(signal) = interrupt::received_end_signal() {
             print_message(&format!("{}; no picture was written\n", signal.reason));
             return Failure::Reported(signal.exit);

@@ -40,9 +40,14 @@ struct Times {
 }
 
 impl Report {
-    /// Creates a report; `times` are the durations of parsing, building, tracing, encoding, and their sum.
-    pub fn new(times: [Duration; 5], passes: Vec<PassTime>, rays: RayCounts, options: &render::Options) -> Self {
-        let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
+    /// Creates a report. The durations are those of parsing, building, tracing and encoding, and their sum.
+    pub fn new(
+        parse_build_trace_encode_total: [Duration; 5],
+        passes: Vec<PassTime>,
+        rays: RayCounts,
+        options: &render::Options,
+    ) -> Self {
+        let [parse, build, trace, encode, total] = parse_build_trace_encode_total.map(|t| t.as_secs_f64());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);
         Self {
             times: Times { parse, build, trace, encode, total },

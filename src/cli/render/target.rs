@@ -189,7 +189,7 @@ impl Target {
     /// Gives the finished file its name, and returns its path.
     pub fn commit(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
         match (&self.location, draft) {
-            (Location::Stdout, Some(draft)) => console.write_to_stdout(draft.into_bytes()).map(|()| None),
+            (Location::Stdout, Some(draft)) => console.write_to_stdout(draft.into_memory_bytes()).map(|()| None),
             (Location::File(path), Some(draft)) => {
                 draft.commit(&Disk).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?;
                 Ok(Some(path))

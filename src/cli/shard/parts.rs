@@ -30,7 +30,7 @@ pub fn merge(console: &Console, picture: &Path, parts: &[PathBuf]) -> Result {
             let reason = format!("it has another size or kind of pixels than `{}`", first_path.display());
             return Err(unusable(path, &reason));
         }
-        if let Some(at) = add_part_until_conflict(&mut whole.pixels, &part.pixels, &mut owners, number) {
+        if let Some(at) = add_until_conflicting_pixel(&mut whole.pixels, &part.pixels, &mut owners, number) {
             let (x, y) = (at % whole.pixels.width, at / whole.pixels.width);
             let other = parts[owners[at]].display();
             return Err(unusable(path, &format!("its pixel {x},{y} is another than that of `{other}`")));
@@ -51,9 +51,10 @@ fn has_same_size_and_kind(a: &Picture, b: &Picture) -> bool {
     kind(a) == kind(b) && a.stored == b.stored
 }
 
-/// Copies the pixels of `part` into those pixels of `whole` that are empty, and notes `part_number` as their owner. Returns the
-/// index of the first pixel at which the pictures show different things.
-fn add_part_until_conflict(
+/// Copies the pixels of `part` into those pixels of `whole` that are empty, and notes `part_number` as their owner.
+/// Stops at the first pixel at which the pictures show different things, and returns its index; `None` without such a
+/// pixel.
+fn add_until_conflicting_pixel(
     whole: &mut Pixels,
     part: &Pixels,
     owners: &mut [usize],
@@ -110,7 +111,7 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
     };
     let plain = Encoding::new(format);
     // The decoder of exr adds an opaque alpha to files without alpha.
-    let alpha = matches!(pixels.channels, 2 | 4) && !(format == Format::Exr && is_opaque(pixels));
+    let alpha = matches!(pixels.channels, 2 | 4) && !(format == Format::Exr && is_opaque_float_picture(pixels));
     let gray = pixels.channels <= 2;
     let encoding = Encoding { depth, alpha, gray: gray && format.has_gray(), gamma, ..plain };
     let light = linear_frame(pixels, gamma);
@@ -132,7 +133,7 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
 }
 
 /// True for a picture of floating-point numbers whose alpha is 1 everywhere.
-fn is_opaque(pixels: &Pixels) -> bool {
+fn is_opaque_float_picture(pixels: &Pixels) -> bool {
     let Samples::F32(samples) = &pixels.samples else { return false };
     samples.iter().skip(pixels.channels - 1).step_by(pixels.channels).all(|alpha| *alpha == 1.0)
 }

@@ -61,7 +61,7 @@ fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
         let (console_of_work, render_args, token) = (console.clone(), render_args(args), cancel.clone());
         let input = args.input.clone();
         let work = move || {
-            if let Err(fault) = check_regular(&input) {
+            if let Err(fault) = refuse_device_or_pipe(&input) {
                 return (Err(fault.into()), LookedUpFiles::default());
             }
             render::run(&console_of_work, &render_args, render::Context { cancel: Some(token), ..Default::default() })
@@ -85,8 +85,8 @@ fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
     }
 }
 
-/// Checks that the scene is no device or pipe now, which `durer render` would read to its end.
-fn check_regular(input: &Path) -> std::result::Result<(), Box<Diagnostic>> {
+/// Returns an error if the scene is a device or a pipe now, which `durer render` would read to its end.
+fn refuse_device_or_pipe(input: &Path) -> std::result::Result<(), Box<Diagnostic>> {
     match Disk.metadata(input) {
         Ok(metadata) if metadata.kind == FileKind::Special => {
             let error = io::Error::new(io::ErrorKind::InvalidInput, "it is a device or a pipe");

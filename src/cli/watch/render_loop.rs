@@ -182,8 +182,7 @@ impl RenderLoop {
         memory::check_memory(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
         let deadline = Deadline::start(scene.args.scene.time_limit(), cancel.clone(), Overrun::Continues);
-        let (rays, first) =
-            preview::render_and_time_first_level(&scene.world, options, &self.screen, deadline.token())?;
+        let (rays, first) = preview::render_levels_timing_first(&scene.world, options, &self.screen, deadline.token())?;
         Ok(Rendered { rays, first, rest: start.elapsed().saturating_sub(first) })
     }
 }

@@ -30,7 +30,7 @@ impl<T> Default for Worker<T> {
 impl<T: Send + 'static> Worker<T> {
     /// Returns the result of `work`; `None` if `cancel` was cancelled on request, or the work has panicked.
     pub fn run(&mut self, cancel: &CancelToken, work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
-        self.await_abandoned();
+        self.limit_abandoned_threads();
         let (sender, result) = channel();
         let token = cancel.clone();
         let run = move || {
@@ -60,8 +60,9 @@ impl<T: Send + 'static> Worker<T> {
         }
     }
 
-    /// Waits until few threads with cancelled work are left, so that fast saves do not add up threads and memory.
-    fn await_abandoned(&mut self) {
+    /// Waits until fewer than [`MAX_ABANDONED`] threads with cancelled work are left, so that fast saves do not add up
+    /// threads and memory.
+    fn limit_abandoned_threads(&mut self) {
         self.abandoned.retain(|work| matches!(work.try_recv(), Err(TryRecvError::Empty)));
         while self.abandoned.len() >= MAX_ABANDONED {
             let _ = self.abandoned.remove(0).recv();

@@ -153,7 +153,7 @@ impl<'a> Gatherer<'a> {
         match bytes[lo] {
             b',' | b';' | b')' | b']' => flags |= NO_BLANK_BEFORE,
             b'>' if flags & CLOSE != 0 => flags |= NO_BLANK_BEFORE,
-            b'.' if hi == lo + 1 && self.is_access(hi) => flags |= NO_BLANK_BEFORE | NO_BLANK_AFTER,
+            b'.' if hi == lo + 1 && self.is_member_dot(hi) => flags |= NO_BLANK_BEFORE | NO_BLANK_AFTER,
             b'(' | b'[' => flags |= NO_BLANK_AFTER,
             b'<' if flags & OPEN != 0 => flags |= NO_BLANK_AFTER,
             _ => {}
@@ -170,12 +170,12 @@ impl<'a> Gatherer<'a> {
         self.at = hi;
     }
 
-    /// True if the `.` before a local offset selects a member of the expression before it.
-    fn is_access(&self, hi: usize) -> bool {
+    /// True if the `.` that ends at the local offset `dot_end` selects a member of the expression before it.
+    fn is_member_dot(&self, dot_end: usize) -> bool {
         let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
         let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
         let is_blank = |c| is_dropped(c) && !matches!(c, '\n' | '\r');
-        word(self.text[hi..].trim_start_matches(is_blank).as_bytes().first())
+        word(self.text[dot_end..].trim_start_matches(is_blank).as_bytes().first())
             && (word(first) || matches!(first, Some(b')' | b']')))
     }
 

@@ -7,7 +7,7 @@ use crate::value::Value;
 
 /// Computes a built-in numeric function, such as `sin`, for arguments whose number has been checked.
 pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
-    let first = row.clamp_to_domain(a.float(0)?);
+    let first = row.clamp_if_arc_function(a.float(0)?);
     match row.kernel {
         Kernel::One(f) => match row.domain_fault(first, first) {
             Some(why) => a.domain_error(0, why),

@@ -115,8 +115,12 @@ impl<'a> Interpreter<'a> {
     /// Evaluates `file_exists(Path)`: 1 if the file exists and the scene may read it, else 0.
     fn file_exists(&mut self, path: &Argument<'a>) -> Result<Value> {
         let name = self.argument_text(path)?;
-        let found =
-            self.inputs.options.search.find(self.inputs.files, &name).filter(|path| self.inputs.files.may_read(path));
+        let found = self
+            .inputs
+            .options
+            .search
+            .find_exact(self.inputs.files, &name)
+            .filter(|path| self.inputs.files.may_read(path));
         Ok(Value::Float(f64::from(found.is_some())))
     }
 

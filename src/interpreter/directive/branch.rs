@@ -145,7 +145,7 @@ impl<'a> Interpreter<'a> {
                 let lvalue = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(
-                    matches!(lvalue.and_then(|p| self.evaluator.scopes().slot_at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
+                    matches!(lvalue.and_then(|p| self.evaluator.scopes().slot_at(&p)), Some(Slot::Array(array)) if array.has_value_at(key)),
                 )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),

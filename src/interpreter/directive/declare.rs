@@ -29,7 +29,7 @@ impl<'a> Interpreter<'a> {
     pub fn run_declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
-            return self.refuse_reserved_name(word, target.span);
+            return self.skip_value_and_refuse_name(word, target.span);
         }
         if declare.others.is_empty()
             && target.indices.is_empty()
@@ -58,7 +58,8 @@ impl<'a> Interpreter<'a> {
         self.declare_one(declare.local, deprecated, declared)
     }
 
-    fn refuse_reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
+    /// Skips the value that is declared, and returns the error for the reserved name `word`.
+    fn skip_value_and_refuse_name(&mut self, word: &str, span: Span) -> Result<()> {
         // The value is read all the same, so that its tokens are no further faults.
         self.read_rvalue().ok();
         Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
@@ -109,7 +110,7 @@ impl<'a> Interpreter<'a> {
         if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_raw_element() {
             self.stream.advance();
             self.expect_equals_sign()?;
-            return self.refuse_reserved_name(word.name, *span);
+            return self.skip_value_and_refuse_name(word.name, *span);
         }
         let declared = self.read_target(span)?;
         self.expect_equals_sign()?;
@@ -151,7 +152,7 @@ impl<'a> Interpreter<'a> {
     fn read_target(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent_frames();
         // A `declare A = 3` without `#` was parsed as a comparison.
-        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_comparison())
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.has_bare_condition())
         {
             self.stream.split_next_element();
         }
@@ -159,7 +160,7 @@ impl<'a> Interpreter<'a> {
         let text = self.inputs.names.text(symbol);
         if let Some(word) = word::reserved(text) {
             self.expect_equals_sign()?;
-            self.refuse_reserved_name(word, span)?;
+            self.skip_value_and_refuse_name(word, span)?;
         }
         if let Some(level) = self.evaluator.scope_level_of_prefix(symbol)
             && let Some(ElementKind::Punctuation(Punctuation::Dot)) = self.stream.next_raw_element().map(|e| &e.kind)

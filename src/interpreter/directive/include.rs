@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
     fn missing_include_error(&self, name: &str, span: Span) -> Diagnostic {
         let folders = &self.inputs.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
-        if let Some(hint) = hints::newer_name_hint(name) {
+        if let Some(hint) = hints::povray_3_8_name_hint(name) {
             return d.help(hint);
         }
         let there = folders.iter().flat_map(|folder| self.inputs.files.list(folder).unwrap_or_default());

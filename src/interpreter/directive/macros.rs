@@ -123,12 +123,12 @@ impl<'a> Interpreter<'a> {
         Ok(Some(slots))
     }
 
-    /// Returns the location to which a parameter refers if its argument is the name `symbol`. `next` is the name that
-    /// follows without a comma (quirk: `reference_without_comma`).
-    fn reference_target(&self, symbol: Symbol, next: Option<Symbol>) -> Option<LValue> {
+    /// Returns the location to which a parameter refers if its argument is the name `symbol`. `name_after_argument` is
+    /// the name that follows the argument in the call, without a comma (quirk: `reference_without_comma`).
+    fn reference_target(&self, symbol: Symbol, name_after_argument: Option<Symbol>) -> Option<LValue> {
         let scopes = self.evaluator.scopes();
         let is_number = |slot: &Slot| matches!(slot, Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_)));
-        match next.and_then(|next| scopes.resolve(next)) {
+        match name_after_argument.and_then(|next| scopes.resolve(next)) {
             Some(next) if scopes.get(symbol).is_some_and(is_number) => Some(next),
             _ => scopes.resolve(symbol),
         }

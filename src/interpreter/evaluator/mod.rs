@@ -124,7 +124,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// Returns a name as [`crate::value::Reader::next`] announces it: as a declared thing or as a value.
+    /// Returns a name as [`crate::value::Reader::peek_next`] announces it: as a declared thing or as a value.
     pub(super) fn next_kind_of_name(&self, symbol: Symbol) -> Next {
         match self.scopes.get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),

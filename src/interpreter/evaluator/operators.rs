@@ -114,11 +114,11 @@ pub fn apply_to_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
 
 /// True for a division whose right side is zero or has a zero component.
 pub fn divides_by_zero(op: Operator, right: &Value) -> bool {
-    op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
+    op == Operator::Div && numbers_of(right).is_some_and(|v| has_zero_component(&v))
 }
 
 /// True if a component of the vector is zero.
-pub fn holds_zero(v: &VecN) -> bool {
+pub fn has_zero_component(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 

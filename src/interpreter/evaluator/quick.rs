@@ -1,6 +1,6 @@
 //! Fast evaluation of expressions of numbers and vectors, without side effects and messages, which are the most common.
 
-use super::operators::{TOLERANCE, apply_to_floats, apply_to_vectors, component_index, holds_zero};
+use super::operators::{TOLERANCE, apply_to_floats, apply_to_vectors, component_index, has_zero_component};
 use super::{Evaluator, Slot};
 use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
@@ -76,7 +76,7 @@ impl QuickValue for Quick {
             (Quick::Vector(a), Quick::Float(x)) => (a, VecN::splat(x, a.len)),
             (Quick::Vector(a), Quick::Vector(b)) => (a, b),
         };
-        let warns = op == Operator::Div && holds_zero(&b);
+        let warns = op == Operator::Div && has_zero_component(&b);
         if warns { None } else { Some(Quick::Vector(apply_to_vectors(op, a, b))) }
     }
 
@@ -153,7 +153,7 @@ impl Evaluator<'_> {
 
     fn quick_call(&self, name: &str, arguments: &[Expr]) -> Option<f64> {
         let row = &numeric::TABLE[numeric::find_numeric(name)? as usize];
-        let first = row.clamp_to_domain(self.quick_number(arguments.first()?)?);
+        let first = row.clamp_if_arc_function(self.quick_number(arguments.first()?)?);
         let second = match arguments.get(1) {
             Some(e) => self.quick_number(e)?,
             None => first,

@@ -59,8 +59,8 @@ pub struct Array<'a> {
 }
 
 impl Array<'_> {
-    /// True if the dictionary has a value at `key`.
-    pub fn has_key(&self, key: &str) -> bool {
+    /// True if the dictionary has a value at `key`; false also for a key without a value.
+    pub fn has_value_at(&self, key: &str) -> bool {
         self.key_index(key).is_some_and(|i| self.items[i].is_some())
     }
 
@@ -124,8 +124,8 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// Removes a name from the list of the names that are bound at a scope level.
-    fn forget_bound_name(&mut self, symbol: Symbol, level: u32) {
+    /// Removes a name from the list of the names that are bound at a scope level. The binding itself stays.
+    fn remove_from_name_list(&mut self, symbol: Symbol, level: u32) {
         let Some(level) = (level as usize).checked_sub(1) else { return };
         let Some(&start) = self.levels.get(level) else { return };
         let end = self.levels.get(level + 1).copied().unwrap_or(self.names.len());
@@ -336,7 +336,7 @@ impl<'a> Scopes<'a> {
     /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays.
     pub fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.binding_stack(symbol).pop() else { return false };
-        self.forget_bound_name(symbol, binding.level);
+        self.remove_from_name_list(symbol, binding.level);
         true
     }
 
@@ -348,7 +348,7 @@ impl<'a> Scopes<'a> {
         let Some(stack) = self.bindings.get_mut(lvalue.symbol.0 as usize) else { return };
         if lvalue.binding_index < stack.len() {
             let binding = stack.remove(lvalue.binding_index);
-            self.forget_bound_name(lvalue.symbol, binding.level);
+            self.remove_from_name_list(lvalue.symbol, binding.level);
         }
     }
 

@@ -44,7 +44,7 @@ impl Evaluator<'_> {
         match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Name(name) => self.is_macro(*name),
-                _ => e.has_bare_comparison() || self.must_split_into_tokens(e),
+                _ => e.has_bare_condition() || self.must_split_into_tokens(e),
             },
             ElementKind::Numbers(_) => false,
             // `cubic_spline` in the call of a spline.
@@ -60,7 +60,7 @@ impl Evaluator<'_> {
             ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
             ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => {
-                !e.has_bare_comparison() && !self.must_split_into_tokens(e)
+                !e.has_bare_condition() && !self.must_split_into_tokens(e)
             }
             ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.must_split_into_tokens(e),
             _ => false,

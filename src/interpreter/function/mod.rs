@@ -89,13 +89,13 @@ impl<'a> Interpreter<'a> {
             kind = declared.kind;
             points = declared.points().collect();
         }
-        if let Next::Word(word) = Reader::next(self)?
+        if let Next::Word(word) = Reader::peek_next(self)?
             && let Some(named) = SplineKind::from_word(word)
         {
             self.stream.advance();
             kind = named;
         }
-        while Reader::next(self)? != Next::End {
+        while Reader::peek_next(self)? != Next::End {
             let t = self.float()?;
             let (value, span) = self.read_value()?;
             let point = match value {

@@ -21,8 +21,9 @@ impl<'a> Interpreter<'a> {
         self.read_any_function().map(|(_, function)| function)
     }
 
-    /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; `None` without a size.
-    pub fn read_sized_function(&mut self) -> Result<Option<SizedFunction>> {
+    /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; consumes nothing and returns
+    /// `None` if a function without a size follows.
+    pub fn read_function_if_sized(&mut self) -> Result<Option<SizedFunction>> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
         }

@@ -127,7 +127,7 @@ impl<'a> Interpreter<'a> {
 
     /// Consumes a number and the `;` after it, if both come next and the fast evaluation suffices.
     pub fn take_number_and_semicolon(&mut self) -> Option<f64> {
-        let e = self.stream.expression_statement().filter(|e| !e.has_bare_comparison())?;
+        let e = self.stream.expression_statement().filter(|e| !e.has_bare_condition())?;
         let x = self.evaluator.quick_number(e)?;
         self.stream.skip_expression_statement();
         Some(x)

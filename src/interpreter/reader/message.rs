@@ -202,7 +202,7 @@ impl Interpreter<'_> {
                 return self.unexpected_token(block);
             }
             Ok(_) => {
-                let is_object = Reader::next(self) == Ok(Next::Thing("object"));
+                let is_object = Reader::peek_next(self) == Ok(Next::Thing("object"));
                 let d = self.unexpected_token(&format!("a word of `{block}`"));
                 if is_object && matches!(block, "union" | "merge" | "intersection" | "difference") {
                     let help = format!(
@@ -235,7 +235,7 @@ impl Interpreter<'_> {
         let near = did_you_mean(name, takes.iter().copied());
         // A capitalized name is the author's own, or that of an include file.
         if name.starts_with(char::is_uppercase)
-            || hints::other_tool_hint(name).is_none() && self.reporter.is_in_include(name)
+            || hints::other_tool_hint(name).is_none() && self.reporter.is_declared_in_library(name)
         {
             let d = self.undeclared(symbol, span);
             return if d.cause.as_ref().is_some_and(|c| c.remedy == Remedy::Declare) { d.maybe_help(near) } else { d };
@@ -246,15 +246,22 @@ impl Interpreter<'_> {
         refused_word_error(name, span, block, takes).maybe_help(near).maybe_help(hint)
     }
 
-    /// Returns the error for a word that the block takes, but that is followed by an unsuitable token.
-    fn wrong_token_after_error(&mut self, block: &str, word: &'static str, span: Span, has_brace: bool) -> Diagnostic {
+    /// Returns the error for a word that the block takes, but that is followed by an unsuitable token. `brace_follows`
+    /// is true if a `{` follows the word.
+    fn wrong_token_after_error(
+        &mut self,
+        block: &str,
+        word: &'static str,
+        span: Span,
+        brace_follows: bool,
+    ) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {
             "" => "the end of the text".to_string(),
             token => format!("`{token}`"),
         };
-        let (wanted, usage) = match (has_brace, opens_block(word)) {
+        let (wanted, usage) = match (brace_follows, opens_block(word)) {
             (true, false) => value_description_and_example(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
             // The word has what it needs, but is not allowed at this position.

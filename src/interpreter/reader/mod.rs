@@ -53,7 +53,7 @@ fn checked_finite(v: DVec3, span: Span) -> Result<DVec3> {
 }
 
 impl Reader for Interpreter<'_> {
-    fn next(&mut self) -> Result<Next> {
+    fn peek_next(&mut self) -> Result<Next> {
         Ok(match self.peek()? {
             Token::Block(name) => match name.word {
                 Some(word) => Next::Block(word),
@@ -152,7 +152,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn optional_float(&mut self) -> Result<Option<f64>> {
-        if Reader::next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
+        if Reader::peek_next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
     }
 
     fn vector(&mut self) -> Result<DVec3> {
@@ -241,10 +241,10 @@ impl Reader for Interpreter<'_> {
         self.read_color()
     }
 
-    fn next_in_statement(&mut self) -> Result<Next> {
+    fn peek_until_directive(&mut self) -> Result<Next> {
         match self.peek_continuation()? {
             Token::End => Ok(Next::End),
-            _ => Reader::next(self),
+            _ => Reader::peek_next(self),
         }
     }
 
@@ -305,11 +305,11 @@ impl Reader for Interpreter<'_> {
         self.read_mesh_file(build)
     }
 
-    fn read_sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+    fn read_function_if_sized(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         if !matches!(self.peek()?, Token::Function(_)) {
             return Ok(None);
         }
-        self.read_sized_function()
+        self.read_function_if_sized()
     }
 
     fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
@@ -349,7 +349,7 @@ impl Interpreter<'_> {
         };
         let names: Vec<String> = endings.iter().map(|ending| format!("{name}.{ending}")).collect();
         let search = &self.inputs.options.search;
-        let found = names.iter().find(|name| search.find(self.inputs.files, name).is_some());
+        let found = names.iter().find(|name| search.find_exact(self.inputs.files, name).is_some());
         self.find_readable_file(found.unwrap_or(&names[0]), at)
     }
 

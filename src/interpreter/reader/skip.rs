@@ -52,7 +52,7 @@ impl Interpreter<'_> {
             | Token::Element(_)
             | Token::Function(_)
             | Token::Open(Bracket::Paren, _)
-            | Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => match Reader::next(self)? {
+            | Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => match Reader::peek_next(self)? {
                 Next::Thing(_) | Next::Function => self.read_rvalue().map(drop)?,
                 _ => self.read_value().map(drop)?,
             },

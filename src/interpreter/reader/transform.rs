@@ -88,7 +88,7 @@ impl Interpreter<'_> {
     pub fn read_transform_contents(&mut self) -> Result<Transform> {
         let mut all = Transform::IDENTITY;
         loop {
-            match Reader::next(self)? {
+            match Reader::peek_next(self)? {
                 Next::End => return Ok(all),
                 Next::Word("inverse") => {
                     self.stream.advance();
@@ -107,7 +107,7 @@ impl Interpreter<'_> {
 
     /// Reads one transform; `None` if the next token begins none.
     pub(super) fn read_transform(&mut self) -> Result<Option<Box<Transform>>> {
-        match Reader::next(self)? {
+        match Reader::peek_next(self)? {
             Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {
                 self.stream.advance();
                 self.read_transform_step(word).map(Some)

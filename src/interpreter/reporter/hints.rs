@@ -1,7 +1,7 @@
 //! Hints about words of other tools, of POV-Ray 3.8 and of other blocks.
 
 /// Returns a hint for a macro or an include file of POV-Ray 3.8 that 3.7 lacks.
-pub fn newer_name_hint(name: &str) -> Option<&'static str> {
+pub fn povray_3_8_name_hint(name: &str) -> Option<&'static str> {
     Some(match name.to_lowercase().as_str() {
         "cie.inc" => "part of POV-Ray 3.8; durer reads the include files of 3.7: put the file next to the scene",
         "get_screen_xy" | "get_xy_relative_to_screen" => {

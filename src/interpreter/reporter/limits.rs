@@ -33,7 +33,7 @@ pub(super) struct Usage {
 
 impl Usage {
     pub fn new(host: &dyn Host) -> Self {
-        Self { steps: 0, text_made: 0, started: host.elapsed() }
+        Self { steps: 0, text_made: 0, started: host.monotonic_time() }
     }
 }
 
@@ -66,7 +66,7 @@ impl Reporter<'_> {
         if self.usage.steps.is_multiple_of(CLOCK_EVERY) || self.inputs.options.cancel.is_cancelled() {
             return self.check_limits(span);
         }
-        if self.usage.steps.is_multiple_of(MEMORY_EVERY) && self.inputs.options.host.counts_memory() {
+        if self.usage.steps.is_multiple_of(MEMORY_EVERY) && self.inputs.options.host.has_cheap_resident_bytes() {
             return self.check_memory(span);
         }
         Ok(())
@@ -85,7 +85,7 @@ impl Reporter<'_> {
     fn check_limits(&mut self, span: Span) -> Result<()> {
         let options = self.inputs.options;
         if let Some(seconds) = options.max_time
-            && options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds
+            && options.host.monotonic_time().saturating_sub(self.usage.started).as_secs_f64() > seconds
         {
             options.cancel.cancel(CancelReason::TimeLimit);
         }

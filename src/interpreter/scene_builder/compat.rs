@@ -35,7 +35,7 @@ pub fn has_srgb_files(version: u32) -> bool {
 
 /// True if the opacity of a colour is 1 - filter · (its brightest channel) - transmit, and not 1 - filter - transmit.
 /// `version` is in force at the end of the scene (quirk: `opacity_by_version`).
-pub fn has_opacity_by_color(version: Option<u32>) -> bool {
+pub fn has_opacity_by_brightest_channel(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
@@ -58,7 +58,7 @@ pub fn has_bare_operators(version: u32) -> bool {
 /// True if a pigment of a sky sphere transmits the pigments below it in proportion to its filter, whatever its colour,
 /// and pictures with alpha omit the sky. `version` is in force at the end of the scene (quirk: `sky_by_share`; manual,
 /// "Sky Sphere").
-pub fn has_sky_by_share(version: Option<u32>) -> bool {
+pub fn has_pre_3_7_sky(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
@@ -70,7 +70,7 @@ pub fn has_ambient_with_radiosity(version: Option<u32>) -> bool {
 
 /// True if pictures with alpha omit the background, even an opaque one, and all other pictures show it. `version` is in
 /// force at the `background` (quirk: `background_before_3_7`).
-pub fn has_background_by_picture(version: Option<u32>) -> bool {
+pub fn has_pre_3_7_background(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 

@@ -123,7 +123,7 @@ impl SceneBuilder {
     }
 
     pub(super) fn set_background(&mut self, color: Color) {
-        let by_picture = compat::has_background_by_picture(self.stated_version());
+        let by_picture = compat::has_pre_3_7_background(self.stated_version());
         self.scene.background = Some(Background { color, by_picture });
     }
 
@@ -161,11 +161,11 @@ impl SceneBuilder {
         let generator = self.noise_generator.load(Ordering::Relaxed);
         let settings = &mut self.scene.settings;
         settings.noise_generator.get_or_insert(NoiseGenerator::from_generator_number(f64::from(generator)));
-        settings.opacity_by_color = compat::has_opacity_by_color(version);
+        settings.opacity_by_color = compat::has_opacity_by_brightest_channel(version);
         if let Some(radiosity) = &mut settings.radiosity {
             radiosity.keeps_ambient = compat::has_ambient_with_radiosity(version);
         }
-        settings.sky_by_share = compat::has_sky_by_share(version);
+        settings.sky_by_share = compat::has_pre_3_7_sky(version);
         settings.gamma.get_or_insert(compat::gamma_without_setting(version));
     }
 

@@ -206,9 +206,9 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Removes and returns the frames above the first `count`.
-    pub fn split_off_frames(&mut self, count: usize) -> Vec<StackFrame<'a>> {
-        self.frames.split_off(count)
+    /// Removes and returns the frames above the first `kept_count`, which stay.
+    pub fn split_off_frames(&mut self, kept_count: usize) -> Vec<StackFrame<'a>> {
+        self.frames.split_off(kept_count)
     }
 
     /// Puts back frames that [`Self::split_off_frames`] removed.

@@ -4,7 +4,7 @@ use super::{FrameKind, TokenStream};
 use crate::interpreter::Inputs;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::{Granularity, pieces};
+use crate::syntax::{Granularity, split_one_level};
 
 impl<'a> TokenStream<'a> {
     /// Replaces the expression or literal list that comes next by its parts.
@@ -17,7 +17,7 @@ impl<'a> TokenStream<'a> {
         frame.at += 1;
         frame.item = (0, 0);
         let parts = inputs.parsed.cached_parts(element, || match &element.kind {
-            ElementKind::Expr(e) => inputs.with_exact_operator_spans(pieces(e, inputs.names)),
+            ElementKind::Expr(e) => inputs.with_exact_operator_spans(split_one_level(e, inputs.names)),
             ElementKind::Numbers(_) => inputs.tokens_of(element.span),
             _ => vec![element.clone()],
         });

@@ -129,7 +129,7 @@ impl<'a> Interpreter<'a> {
         let may_be_called = |e: &Expr| self.stream.mode().defers && self.evaluator.ends_with_callable(e);
         if self.next_value_is_complete(compares) && !matches!(token, Token::Expr(e) if may_be_called(e)) {
             match token {
-                Token::Expr(e) if compares || !e.has_bare_comparison() => {
+                Token::Expr(e) if compares || !e.has_bare_condition() => {
                     self.stream.advance();
                     return Ok((self.evaluate(e)?, e.span));
                 }
@@ -265,7 +265,10 @@ impl<'a> Interpreter<'a> {
         loop {
             match self.peek()? {
                 Token::Punctuation(Punctuation::Operator(Operator::Greater)) => return Ok(self.stream.next_span()),
-                token if token.is_closer_or_end() || matches!(token, Token::Punctuation(_)) && !self.sign_is_next() => {
+                token
+                    if token.is_closer_or_end()
+                        || matches!(token, Token::Punctuation(_)) && !self.next_punctuation_begins_operand() =>
+                {
                     return Err(self.unclosed_vector_error(start).into());
                 }
                 // A colour is a value, although no vector can hold one.
@@ -287,8 +290,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// True if the next token is a sign that can precede an operand.
-    fn sign_is_next(&mut self) -> bool {
+    /// True if the next token is punctuation that can begin an operand: `!`, `-`, `+`, or the `<` of a vector.
+    fn next_punctuation_begins_operand(&mut self) -> bool {
         matches!(
             self.peek(),
             Ok(Token::Punctuation(

@@ -59,12 +59,12 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     }
     let block = words::block_at(outline, offset);
     let mut out: Vec<_> = words::block_words(block).iter().map(item_of_word).collect();
-    let values = words::function_usages_and_summaries().map(|(name, usage, summary)| CompletionItem {
+    let values = words::function_names_arguments_summaries().map(|(name, arguments, summary)| CompletionItem {
         kind: Some(CompletionItemKind::FUNCTION),
         insert_text: Some(format!("{name}($1)$0")),
         insert_text_format: Some(InsertTextFormat::SNIPPET),
         sort_text: Some(format!("3{name}")),
-        ..completion_item(name, format!("{name}{usage}"), summary)
+        ..completion_item(name, format!("{name}{arguments}"), summary)
     });
     out.extend(values);
     for (name, what) in CONSTANTS {

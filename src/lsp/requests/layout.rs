@@ -69,7 +69,7 @@ pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> 
     let (text, outline) = (&document.text, &document.outline);
     let line = |offset: usize| text.position(offset).line;
     let mut out: Vec<FoldingRange> = vec![];
-    for pair in outline.pairs.iter().filter(|pair| is_visible(pair)) {
+    for pair in outline.pairs.iter().filter(|pair| is_foldable(pair)) {
         // The closing line remains visible.
         let (start, end) = (line(pair.range.start), line(pair.range.end).saturating_sub(1));
         if start < end && out.last().is_none_or(|last| last.start_line != start) {
@@ -89,7 +89,7 @@ pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> 
 }
 
 /// True for bracket pairs that the server offers for folding and selection: closed ones other than `<…>`.
-fn is_visible(pair: &Pair) -> bool {
+fn is_foldable(pair: &Pair) -> bool {
     pair.closer.is_some() && pair.bracket != b'<'
 }
 
@@ -108,7 +108,7 @@ fn selection(document: &Document, offset: usize) -> SelectionRange {
     let (text, outline) = (&document.text, &document.outline);
     let whole = 0..text.as_str().len();
     let mut ranges = Vec::from([whole]);
-    let touches = |pair: &&Pair| is_visible(pair) && pair.range.start <= offset && offset <= pair.range.end;
+    let touches = |pair: &&Pair| is_foldable(pair) && pair.range.start <= offset && offset <= pair.range.end;
     for pair in outline.pairs.iter().filter(touches) {
         let Pair { head, range, .. } = pair;
         ranges.push(head.start.min(range.start)..range.end);

@@ -26,8 +26,9 @@ pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> 
     let (parameters, about) = match declared {
         Some(parameters) => (parameters, ""),
         None => {
-            let (_, usage, summary) = words::function_usages_and_summaries().find(|(other, ..)| *other == name)?;
-            let inner = usage.trim_start_matches('(').trim_end_matches(')');
+            let (_, arguments, summary) =
+                words::function_names_arguments_summaries().find(|(other, ..)| *other == name)?;
+            let inner = arguments.trim_start_matches('(').trim_end_matches(')');
             (inner.split(',').map(|part| part.trim().to_string()).filter(|part| !part.is_empty()).collect(), summary)
         }
     };

@@ -146,9 +146,9 @@ impl Bvh {
         walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
-    /// Calls `visit` with the items of the BVH whose boxes contain the point, and a few of their neighbours, until it
-    /// breaks.
-    pub fn visit_boxes_containing(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
+    /// Calls `visit` with the items of the BVH whose boxes contain the point, and with the other items of their leaves,
+    /// until it breaks.
+    pub fn visit_items_near_point(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
         let mut stack: SmallVec<[Child; 64]> = SmallVec::new();
@@ -447,7 +447,7 @@ mod tests {
         for k in 0..200 {
             let p = DVec3::new((k % 27) as f64, (k % 19) as f64, (k % 25) as f64) * 0.5;
             let mut found = vec![];
-            bvh.visit_boxes_containing(p, |i| {
+            bvh.visit_items_near_point(p, |i| {
                 found.push(order[i] as usize);
                 ControlFlow::Continue(())
             });

@@ -80,16 +80,16 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     libm::hypot(x, y)
 }
 
-/// Fractional part of `x`, in [0, 1): x - ⌊x⌋.
+/// Returns x - ⌊x⌋, in [0, 1). (For a negative `x`, `f64::fract` has another sign.)
 #[inline]
-pub fn fraction(x: f64) -> f64 {
+pub fn fraction_above_floor(x: f64) -> f64 {
     x - x.floor()
 }
 
 /// Angle of the point (x, y) as a fraction of a turn, in [0, 1].
 #[inline]
-pub fn angle_in_turns(y: f64, x: f64) -> f64 {
-    fraction(atan2(y, x) / TAU)
+pub fn positive_angle_in_turns(y: f64, x: f64) -> f64 {
+    fraction_above_floor(atan2(y, x) / TAU)
 }
 
 /// Computes xⁿ by products alone, which are equal on all machines.

@@ -121,7 +121,7 @@ const fn log_table() -> [LogRow; ROWS] {
         let centre = f64::from_bits(start + (1 << 44));
         if centre < 1.0 - 1.0 / 256.0 || centre > 1.0 + 1.0 / 128.0 {
             let reciprocal = (512.0 / centre + 0.5) as u32 as f64 / 512.0;
-            let log = Pair::ln(reciprocal);
+            let log = Pair::ln_near_one(reciprocal);
             // All logarithms are between -1 and 1, so that the sum with 3·2⁹ rounds to a multiple of 2⁻⁴².
             let high = (log.high + 1536.0) - 1536.0;
             table[i] = LogRow { reciprocal, log: Pair { high: -high, low: (high - log.high) - log.low } };
@@ -137,7 +137,7 @@ const fn power_of_two_table() -> [Pair; ROWS] {
     let mut i = 1;
     while i < ROWS {
         let exponent = Pair::product(i as f64, STEP.high);
-        table[i] = Pair::sum(exponent.high, exponent.low + i as f64 * STEP.low).exp();
+        table[i] = Pair::sum(exponent.high, exponent.low + i as f64 * STEP.low).exp_of_unit_interval();
         i += 1;
     }
     table
@@ -213,7 +213,7 @@ impl Pair {
     }
 
     /// The natural logarithm of a number between 0.7 and 1.5, by the series 2·(s + s³/3 + s⁵/5 + …) with s = (x - 1) / (x + 1).
-    const fn ln(x: f64) -> Self {
+    const fn ln_near_one(x: f64) -> Self {
         let s = Self { high: x - 1.0, low: 0.0 }.divided_by(x + 1.0);
         let square = s.times(s);
         let (mut sum, mut power, mut n) = (s, s, 3.0);
@@ -226,7 +226,7 @@ impl Pair {
     }
 
     /// e to the power of a number between 0 and 1, by its Taylor series.
-    const fn exp(self) -> Self {
+    const fn exp_of_unit_interval(self) -> Self {
         let one = Self { high: 1.0, low: 0.0 };
         let (mut sum, mut term, mut n) = (one, one, 1.0);
         while n < 31.0 {

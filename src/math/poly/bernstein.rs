@@ -31,7 +31,7 @@ const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
 }
 
 /// Function that receives each root of a polynomial and returns true to end the search.
-type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
+type StopsAt<'a> = &'a mut dyn FnMut(f64) -> bool;
 
 /// Arrays of coefficients up to this length have exactly the size for the polynomial's degree, which is known at
 /// compile time.
@@ -52,7 +52,7 @@ struct Search<'a> {
     window: (f64, f64),
     /// True to search the roots from 1 to 0.
     backwards: bool,
-    found: Found<'a>,
+    stops_at: StopsAt<'a>,
 }
 
 /// True if a coefficient is negative; zero counts as positive.
@@ -172,14 +172,14 @@ impl Search<'_> {
         let used = &b[..=degree];
         match sign_changes(used) {
             0 => return false,
-            1 => return (self.found)(lo + (hi - lo) * only_root(b, degree)),
+            1 => return (self.stops_at)(lo + (hi - lo) * only_root(b, degree)),
             _ => {}
         }
         let middle = 0.5 * (lo + hi);
         if hi - lo < tolerance::POLYNOMIAL || used.iter().all(|b| b.abs() <= self.noise) {
             // A cluster of roots that rounding can't separate: crossed, or touched.
             let crossed = is_negative(b[0]) != is_negative(b[degree]);
-            return (self.found)(middle) || !crossed && (self.found)(middle);
+            return (self.stops_at)(middle) || !crossed && (self.stops_at)(middle);
         }
         let (left, right) = split_in_half(b, degree);
         let (near, far) = ((&left, lo, middle), (&right, middle, hi));
@@ -231,18 +231,25 @@ fn bernstein_quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     [Some(t1.min(t2)), Some(t1.max(t2))]
 }
 
-fn roots_of_zero_padded<const N: usize>(b: &[f64], found: Found) {
+fn roots_of_zero_padded<const N: usize>(b: &[f64], stops_at: StopsAt) {
     let mut padded = [0.0; N];
     padded[..b.len()].copy_from_slice(b);
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
     let noise = tolerance::POLYNOMIAL * size;
-    let mut search = Search { degree: b.len() - 1, noise, window: (0.0, 1.0), backwards: false, found };
+    let mut search = Search { degree: b.len() - 1, noise, window: (0.0, 1.0), backwards: false, stops_at };
     search.search_interval_is_over(&padded, 0.0, 1.0);
 }
 
-/// Finds the roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
-/// ascending; a double root, unless rounding hides it, counts twice. `stops_at` receives each root; true ends the search.
-pub fn polynomial_roots_between(c: &[f64], lo: f64, hi: f64, stops_at: &mut dyn FnMut(f64) -> bool) {
+/// Finds the roots between `lo` and `hi`, which may be infinite, of the polynomial c₀ + c₁·x + …, whose coefficients
+/// start with the constant c₀, up to degree [`MAX_DEGREE`]. `stops_at` receives the roots in ascending order; true ends
+/// the search. A double root, unless rounding hides it, counts twice.
+pub fn polynomial_roots_between(
+    ascending_coefficients: &[f64],
+    lo: f64,
+    hi: f64,
+    stops_at: &mut dyn FnMut(f64) -> bool,
+) {
+    let c = ascending_coefficients;
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
     let mut report_root = |x: f64| x >= lo && x <= hi && stops_at(x);
     match *c {
@@ -264,7 +271,7 @@ pub fn polynomial_roots_between(c: &[f64], lo: f64, hi: f64, stops_at: &mut dyn 
 
 /// Finds roots on the whole line: splits it into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first
 /// and the last coefficient similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
-fn roots_on_real_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
+fn roots_on_real_line<const N: usize>(c: &[f64], lo: f64, hi: f64, stops_at: StopsAt) {
     let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
@@ -287,7 +294,7 @@ fn roots_on_real_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found)
     let (lo, hi) = (lo / unit, hi / unit);
     let done = std::cell::Cell::new(false);
     let mut report_root = |x: f64| {
-        done.set(found(x));
+        done.set(stops_at(x));
         done.get()
     };
     for (side, a) in [(-1.0, below), (1.0, a)] {
@@ -296,17 +303,17 @@ fn roots_on_real_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found)
             continue;
         }
         let at_one: f64 = a.iter().sum();
-        let inner = |found: Found, backwards| {
-            let mut on_side = |t: f64| found(side * unit * t);
-            let mut search = Search { degree, noise, window: (near, far), backwards, found: &mut on_side };
+        let inner = |stops_at: StopsAt, backwards| {
+            let mut on_side = |t: f64| stops_at(side * unit * t);
+            let mut search = Search { degree, noise, window: (near, far), backwards, stops_at: &mut on_side };
             near <= 1.0 && search.search_unit_is_over(&to_bernstein(a, degree, at_one))
         };
-        let outer = |found: Found, backwards| {
+        let outer = |stops_at: StopsAt, backwards| {
             let mut turned = a;
             turned[..=degree].reverse();
-            let mut on_side = |t: f64| found(side * unit / t);
+            let mut on_side = |t: f64| stops_at(side * unit / t);
             let window = (1.0 / far, if near > 1.0 { 1.0 / near } else { 1.0 });
-            let mut search = Search { degree, noise, window, backwards, found: &mut on_side };
+            let mut search = Search { degree, noise, window, backwards, stops_at: &mut on_side };
             far >= 1.0 && search.search_unit_is_over(&to_bernstein(turned, degree, at_one))
         };
         if side < 0.0 {

@@ -80,13 +80,13 @@ impl Mapping {
     /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
     /// one. `None` outside the picture.
     pub fn project_to_unit_square(&self, p: DVec3) -> Option<(f64, f64)> {
-        let around = || fp::angle_in_turns(p.z, p.x);
+        let around = || fp::positive_angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
             Wrap::Planar => {
                 let unit = 0.0..=1.0;
                 let inside = !self.once || (unit.contains(&p.x) && unit.contains(&p.y));
-                inside.then(|| (fp::fraction(p.x), fp::fraction(p.y)))
+                inside.then(|| (fp::fraction_above_floor(p.x), fp::fraction_above_floor(p.y)))
             }
             Wrap::Spherical => {
                 let r = p.length();
@@ -94,11 +94,11 @@ impl Mapping {
             }
             Wrap::Cylindrical => {
                 let inside = !axis && (!self.once || (0.0..=1.0).contains(&p.y));
-                inside.then(|| (around(), fp::fraction(p.y)))
+                inside.then(|| (around(), fp::fraction_above_floor(p.y)))
             }
             Wrap::Toroidal => {
                 let tube = fp::atan2(p.y, fp::hypot(p.x, p.z) - 1.0) / TAU + 0.5;
-                (!axis).then(|| (around(), fp::fraction(tube)))
+                (!axis).then(|| (around(), fp::fraction_above_floor(tube)))
             }
         }
     }

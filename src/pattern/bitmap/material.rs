@@ -29,9 +29,9 @@ impl Readable for MaterialMap {
 
     /// Reads a `material_map` up to its first texture; the block stays open.
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut bitmap = Bitmap::read(r)?;
+        let mut bitmap = Bitmap::read_picture(r)?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::Block("texture") | Next::Thing("texture") | Next::End => break,
                 next if bitmap.read_bitmap_word(r, next)? => {}
                 _ => {

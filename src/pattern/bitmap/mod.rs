@@ -14,7 +14,7 @@ pub use texels::{Texels, color_curve};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, ResultType};
-use crate::image_io::{Picture, Pixels, Samples, Stored, wrap_to_u16};
+use crate::image_io::{Picture, Pixels, Samples, Stored, scale_and_wrap_to_u16};
 use crate::math::DVec3;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Value, ValueKind, WordSpec, downcast};
@@ -71,14 +71,14 @@ pub struct Bitmap {
 }
 
 impl Bitmap {
-    /// Reads the picture of a bitmap: the file's name, or a function with a size.
+    /// Reads the picture of a bitmap: the file's name, or a function with a size; the words after it are not read.
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_picture(r: &mut dyn Reader) -> Result<Self> {
         let (mut format, mut named) = (None, None);
         // quirk: old_picture_orientation
-        if r.next()? == Next::Value {
+        if r.peek_next()? == Next::Value {
             match r.value()? {
                 (Value::Text(name), at) => named = Some((name.to_string(), at)),
                 (_, at) => {
@@ -90,7 +90,7 @@ impl Bitmap {
                 }
             }
         }
-        while let Next::Word(word) = r.next()?
+        while let Next::Word(word) = r.peek_next()?
             && FORMATS.contains(&word)
         {
             if let Some((_, reason)) = NO_PICTURES.iter().find(|(format, _)| *format == word) {
@@ -101,7 +101,7 @@ impl Bitmap {
             r.take_token()?;
             format = Some(word);
         }
-        let picture = match (named, r.next()?) {
+        let picture = match (named, r.peek_next()?) {
             (Some((name, at)), _) => r.open_picture(&name, at, format)?,
             (None, Next::Function) => read_function_picture(r)?,
             (None, _) => {
@@ -153,7 +153,7 @@ fn read_interpolation(r: &mut dyn Reader) -> Result<PixelInterpolation> {
 /// 1), with 16 bits per channel.
 fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.read_sized_function()? else {
+    let Some(([width, height], thing)) = r.read_function_if_sized()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function as a picture needs a size")
             .help("`function 200, 200 { … }`")
             .into();
@@ -171,7 +171,7 @@ fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
         // A number is a gray; alpha is 1 minus `transmit`.
         let [r, g, b] = if color { [c[0], c[1], c[2]] } else { [c[0]; 3] }.map(|x| x as f32);
         let alpha = if color { 1.0 - c[4] as f32 } else { 1.0 };
-        [r, g, b, alpha].map(|x| f32::from(wrap_to_u16(x)) / 65535.0)
+        [r, g, b, alpha].map(|x| f32::from(scale_and_wrap_to_u16(x)) / 65535.0)
     }));
     let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples) };
     Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None, gray_bytes: false }))

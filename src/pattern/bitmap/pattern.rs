@@ -80,10 +80,10 @@ impl ImagePattern {
         block: &str,
         other: &mut dyn FnMut(&mut dyn Reader, Next) -> Result<bool>,
     ) -> Result<Self> {
-        let mut bitmap = Bitmap::read(r)?;
+        let mut bitmap = Bitmap::read_picture(r)?;
         let mut channel = Channel::Gray;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 next if read_row(CHANNEL_ROWS, &mut channel, next, r)? => {}
                 next if bitmap.read_bitmap_word(r, next)? || other(r, next)? => {}
@@ -146,7 +146,9 @@ impl Field for ImagePattern {
         // bump_map_three_pixels).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
         // Past an edge the picture continues at its opposite side, also with `once`.
-        let height = |du: f64, dv: f64| self.interpolated_value((fp::fraction(u + du), fp::fraction(v + dv)));
+        let height = |du: f64, dv: f64| {
+            self.interpolated_value((fp::fraction_above_floor(u + du), fp::fraction_above_floor(v + dv)))
+        };
         let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
         // The picture's directions in the surface; for a surface level to 1e-10 these are x and z (quirk:
         // bump_map_three_pixels).

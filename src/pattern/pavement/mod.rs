@@ -135,7 +135,7 @@ impl PavementWords {
     fn read_remaining_words(mut self, r: &mut dyn Reader) -> Result<Pavement> {
         let at = r.span();
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             if !read_row(Self::ROWS, &mut self, next, r)? {
                 break;
             }

@@ -72,8 +72,8 @@ impl Modifiers {
     pub fn apply_to_number(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
-        let shifted = if frequency == 0.0 { shifted } else { wrap_to_period(shifted) };
-        let v = if shifted < 0.0 { fp::fraction(shifted) } else { shifted };
+        let shifted = if frequency == 0.0 { shifted } else { signed_remainder_by_period(shifted) };
+        let v = if shifted < 0.0 { fp::fraction_above_floor(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
             Wave::Triangle => 1.0 - (2.0 * v.fract() - 1.0).abs(),
@@ -93,7 +93,7 @@ impl Modifiers {
 }
 
 /// Returns `x % PERIOD`, by subtractions that are exact too, as long as they are few.
-fn wrap_to_period(x: f64) -> f64 {
+fn signed_remainder_by_period(x: f64) -> f64 {
     let mut rest = x.abs();
     if rest < PERIOD {
         return x;
@@ -123,10 +123,10 @@ mod tests {
     fn wrapping_is_a_remainder() {
         for i in 0..4000 {
             let x = f64::from(i) * 0.010_001 - 20.0;
-            assert_eq!(wrap_to_period(x), x % PERIOD, "{x}");
+            assert_eq!(signed_remainder_by_period(x), x % PERIOD, "{x}");
             let near = f64::from(i - 2000) * PERIOD;
             for x in [near, near.next_up(), near.next_down()] {
-                assert_eq!(wrap_to_period(x), x % PERIOD, "{x}");
+                assert_eq!(signed_remainder_by_period(x), x % PERIOD, "{x}");
             }
         }
     }

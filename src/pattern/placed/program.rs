@@ -144,7 +144,7 @@ impl PatternProgram {
 
     /// Returns distances along a ray of the outer space outside of which the lowered pattern's number is that of
     /// [`Self::number_outside_support`]; `None` if no support is known.
-    pub fn support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
+    pub fn known_support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
         let Value::Field(number) = &self.value else { return None };
         let support = number.field.support()?;
         match &*self.way {

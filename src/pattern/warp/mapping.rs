@@ -79,7 +79,11 @@ impl Bend for CylindricalWarp {
         if distance == 0.0 {
             return p;
         }
-        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * self.0.pattern_plane_scale(distance), p.y, distance)
+        self.0.pattern_point(
+            fp::positive_angle_in_turns(p.z, p.x) * self.0.pattern_plane_scale(distance),
+            p.y,
+            distance,
+        )
     }
 }
 
@@ -111,7 +115,7 @@ impl Bend for SphericalWarp {
         }
         let grown = self.0.pattern_plane_scale(distance);
         let latitude = fp::asin(p.y / distance) / PI + 0.5;
-        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, latitude * grown, distance)
+        self.0.pattern_point(fp::positive_angle_in_turns(p.z, p.x) * grown, latitude * grown, distance)
     }
 }
 
@@ -153,7 +157,11 @@ impl Bend for ToroidalWarp {
         let distance = fp::hypot(outwards, p.y);
         let part = fp::atan2(p.y, outwards) / TAU + 0.5;
         let grown = self.layout.pattern_plane_scale(distance);
-        self.layout.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
+        self.layout.pattern_point(
+            fp::positive_angle_in_turns(p.z, p.x) * grown,
+            fp::fraction_above_floor(part) * grown,
+            distance,
+        )
     }
 }
 
@@ -183,7 +191,7 @@ impl Readable for PlanarWarp {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let (mut orientation, mut distance) = (DVec3::Z, 0.0);
-        if r.next()? == Next::Value {
+        if r.peek_next()? == Next::Value {
             orientation = r.vector()?.normalize_or_zero();
             distance = r.float()?;
         }

@@ -48,13 +48,13 @@ impl Warp {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read(span: Span, r: &mut dyn Reader) -> Result<Self> {
-        let next = r.next()?;
+        let next = r.peek_next()?;
         let Some(mut warp) = Self::read_named(next, r)? else {
             let names: Vec<_> = Self::SPECS.iter().map(|s| s.name).collect();
             return Err(r.unknown_word("warp", &names).into());
         };
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return warp.finish(span, r).map(|()| warp),
                 next if warp.read_own(next, r)? => {}
                 _ => return Err(r.unknown_word("warp", &warp.spec().word_names()).into()),

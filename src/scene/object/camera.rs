@@ -35,7 +35,7 @@ fn cached_faces(shape: &Shape, known: &mut Vec<(Shape, Arc<[Face]>)>) -> Arc<[Fa
     if let Some((_, faces)) = known.iter().rev().take(RECENT).find(|(other, _)| other.shares_with(shape)) {
         return faces.clone();
     }
-    let faces: Arc<[Face]> = shape.faces().into();
+    let faces: Arc<[Face]> = shape.mesh_faces().into();
     known.push((shape.clone(), faces.clone()));
     faces
 }

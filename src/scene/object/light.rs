@@ -44,9 +44,9 @@ pub const LIGHT_GROUP: Spec = Spec {
 impl LightSource {
     /// Reads the contents of a `light_source` block; `source` is the span of the block.
     pub(super) fn read(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Self> {
-        let mut lit = Self::from(Light::read(r, source)?);
+        let mut lit = Self::from(Light::read_location_and_color(r, source)?);
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Block("looks_like") => {
                     let mut object = Self::read_block_object(r, defaults)?;
@@ -87,7 +87,7 @@ impl Object {
     pub(super) fn read_light_group(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let (mut parts, mut global, mut steps) = (vec![], false, vec![]);
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 Next::Block(part) if is_object(part) => parts.push(*Self::read(r, defaults)?),
                 Next::Thing("object" | "light_source") => parts.push(*Self::read(r, defaults)?),

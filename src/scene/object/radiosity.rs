@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Result;
 use crate::value::ValueKind::Float;
-use crate::value::ranges::share_up_to_one;
+use crate::value::ranges::positive_up_to_one;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -17,7 +17,7 @@ pub struct ObjectRadiosity {
 /// Words of the `radiosity` block, and how each is read.
 const RADIOSITY_ROWS: &[Row<ObjectRadiosity>] =
     &[word("importance", Float, "1", "factor of the number of rays that gather light at the object, 1 at most")
-        .sets(|s, r| set(&mut s.importance, share_up_to_one("importance", r)))];
+        .sets(|s, r| set(&mut s.importance, positive_up_to_one("importance", r)))];
 
 /// Specification of the block `radiosity { … }` of an object.
 pub const OBJECT_RADIOSITY: Spec = Spec {
@@ -32,11 +32,11 @@ impl ObjectRadiosity {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_with_braces(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self { importance: 1.0 };
         r.take_token()?;
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => return r.leave_block().map(|_| out),
                 next if read_row(RADIOSITY_ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&OBJECT_RADIOSITY)),

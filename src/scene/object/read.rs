@@ -39,7 +39,7 @@ impl Object {
     /// # Errors
     /// With the span of the unexpected token, and the expectation.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
-        match r.next()? {
+        match r.peek_next()? {
             Next::Block(word) => {
                 let source = r.take_token()?;
                 let object = Self::read_block(word, source, r, defaults)?;
@@ -60,7 +60,7 @@ impl Object {
             return Self::read_csg(op, word, source, r, defaults);
         }
         if word == "light_source" {
-            if matches!(r.next()?, Next::Thing(_)) {
+            if matches!(r.peek_next()?, Next::Thing(_)) {
                 let mut object = Self::read(r, defaults)?;
                 object.source = source;
                 object.read_modifiers_stays_visible(None, r, defaults)?;
@@ -72,13 +72,13 @@ impl Object {
             return Self::read_light_group(source, r, defaults);
         }
         // A declared object is allowed in the block of any shape (quirk: `object_in_any_block`).
-        if word == "object" || r.next()? == Next::Thing("object") {
+        if word == "object" || r.peek_next()? == Next::Thing("object") {
             let mut object = Self::read(r, defaults)?;
             object.source = source;
             object.read_modifiers_stays_visible(None, r, defaults)?;
             return Ok(object);
         }
-        let Some(shape) = Shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
+        let Some(shape) = Shape::read_params_of(word, r) else { return Err(r.unexpected("an object").into()) };
         let mut object = Box::new(Self::unfinished(word, source, defaults));
         let mut shape = match shape {
             Err(fault) if fault.code == codes::NOT_FINITE => {
@@ -106,7 +106,7 @@ impl Object {
     fn read_rest_of_invisible(&mut self, fault: Diagnostic, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
         r.report(invisible_warning(self.word, fault));
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             if next == Next::End {
                 return Ok(());
             }
@@ -125,7 +125,7 @@ impl Object {
     ) -> Result<Box<Self>> {
         let mut parts = vec![];
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::Block(part) if is_object(part) => parts.push(*Self::read(r, defaults)?),
                 Next::Thing("object" | "light_source") => parts.push(*Self::read(r, defaults)?),
                 _ => break,
@@ -150,7 +150,7 @@ impl Object {
         let mut is_finite = true;
         let mut embedded = EmbeddedTextures::new(defaults);
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             if next == Next::End {
                 if let Some(painted) = embedded.painted() {
                     self.uncommon.embedded = Some(painted);
@@ -228,8 +228,8 @@ impl Object {
                     self.set_material(&material, &r.language());
                 }
             }
-            Next::Block("radiosity") => self.uncommon.radiosity = Some(ObjectRadiosity::read(r)?),
-            Next::Block("photons") => self.uncommon.photons.get_or_insert_default().read(r)?,
+            Next::Block("radiosity") => self.uncommon.radiosity = Some(ObjectRadiosity::read_with_braces(r)?),
+            Next::Block("photons") => self.uncommon.photons.get_or_insert_default().read_with_braces(r)?,
             _ => return self.read_texture_if_next(next, r, defaults),
         }
         Ok(true)
@@ -291,7 +291,7 @@ impl Object {
         let at = r.take_token()?;
         let (mut parts, mut borrows) = (vec![], false);
         loop {
-            match r.next()? {
+            match r.peek_next()? {
                 Next::End => break,
                 // `clipped_by { bounded_by }` repeats the objects of `bounded_by`, if there are any.
                 Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {

@@ -172,7 +172,7 @@ impl Component {
     pub(super) fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
         let mut cube = Cube::cube_around_axis(self.axis);
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             match next {
                 Next::End => {
                     self.widening = cube.widest_half_width();
@@ -197,16 +197,17 @@ impl Component {
 }
 
 impl Stretch {
-    /// Adds the field of a blob's component to `sum`, as a polynomial of t - middle.
-    pub fn add_to_polynomial(&self, middle: f64, sum: &mut [f64; 5]) {
+    /// Adds the field of a blob's component to a polynomial of t - middle, whose coefficients start with that of the
+    /// fourth power.
+    pub fn add_to_polynomial(&self, middle: f64, descending_coefficients: &mut [f64; 5]) {
         let [a, b, c] = self.squared_distance;
         // u = 1 - (a·t² + b·t + c), then s·u²
         let (u2, u1, u0) = (-a, -(2.0 * a * middle + b), 1.0 - ((a * middle + b) * middle + c));
         let s = self.strength;
-        sum[0] += s * u2 * u2;
-        sum[1] += s * 2.0 * u2 * u1;
-        sum[2] += s * (u1 * u1 + 2.0 * u2 * u0);
-        sum[3] += s * 2.0 * u1 * u0;
-        sum[4] += s * u0 * u0;
+        descending_coefficients[0] += s * u2 * u2;
+        descending_coefficients[1] += s * 2.0 * u2 * u1;
+        descending_coefficients[2] += s * (u1 * u1 + 2.0 * u2 * u0);
+        descending_coefficients[3] += s * 2.0 * u1 * u0;
+        descending_coefficients[4] += s * u0 * u0;
     }
 }

@@ -135,8 +135,8 @@ impl Grid {
         DVec3::new(self.across as f64, STEPS, self.deep as f64)
     }
 
-    /// Height of the field at a corner of cells, in steps.
-    pub fn corner_height(&self, column: usize, row: usize) -> f64 {
+    /// Height of the field at a corner of cells, in steps of height from 0 to 65535.
+    pub fn corner_height_in_steps(&self, column: usize, row: usize) -> f64 {
         f64::from(self.heights[row * (self.across + 1) + column])
     }
 
@@ -164,10 +164,10 @@ impl Grid {
     /// Heights of the field at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
     pub fn cell_corner_heights(&self, column: usize, row: usize) -> [f64; 4] {
         [
-            self.corner_height(column, row),
-            self.corner_height(column + 1, row),
-            self.corner_height(column, row + 1),
-            self.corner_height(column + 1, row + 1),
+            self.corner_height_in_steps(column, row),
+            self.corner_height_in_steps(column + 1, row),
+            self.corner_height_in_steps(column, row + 1),
+            self.corner_height_in_steps(column + 1, row + 1),
         ]
     }
 
@@ -184,9 +184,9 @@ impl Grid {
         let slope = self.triangle_slope(place);
         let Place { i, k, upper } = place;
         if upper {
-            self.corner_height(i + 1, k + 1) + slope.dot(position_in_cell - 1.0)
+            self.corner_height_in_steps(i + 1, k + 1) + slope.dot(position_in_cell - 1.0)
         } else {
-            self.corner_height(i, k) + slope.dot(position_in_cell)
+            self.corner_height_in_steps(i, k) + slope.dot(position_in_cell)
         }
     }
 
@@ -366,8 +366,8 @@ impl Grid {
     fn height_above_field(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
         let (y, rest) = line.height_and_cell_position(i, k, t);
         let along = |a: f64, b: f64, s: f64| a + (b - a) * s;
-        let edge = |i: usize| along(self.corner_height(i, k), self.corner_height(i, k + 1), rest.y);
-        let row = |k: usize| along(self.corner_height(i, k), self.corner_height(i + 1, k), rest.x);
+        let edge = |i: usize| along(self.corner_height_in_steps(i, k), self.corner_height_in_steps(i, k + 1), rest.y);
+        let row = |k: usize| along(self.corner_height_in_steps(i, k), self.corner_height_in_steps(i + 1, k), rest.x);
         y - match () {
             _ if line.d.x != 0.0 && t == line.distance_at_x(i) => edge(i),
             _ if line.d.x != 0.0 && t == line.distance_at_x(i + 1) => edge(i + 1),

@@ -20,7 +20,7 @@ use super::{Bounding, Hit, Hits, Kernel, Quirks, Shape, nearest_hit};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, ResultType};
-use crate::image_io::{Picture, wrap_to_u16};
+use crate::image_io::{Picture, scale_and_wrap_to_u16};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs, word};
@@ -115,7 +115,7 @@ impl HeightField {
 /// Reads a height field from `function W, H { … }`, row by row from z = 0 on.
 fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.read_sized_function()? else {
+    let Some(([width, height], thing)) = r.read_function_if_sized()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function that gives heights needs a size")
             .help("`function 200, 200 { … }`")
             .into();
@@ -131,7 +131,7 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
             let [r, g, b, ..] = function.call(&[step(i, width), step(j, height), 0.0]);
             // quirk: height_field_function_precision
             let kept = |x: f64| heights::unit_to_wrapping_u16(f64::from(x as f32));
-            if colored { heights::brightness_u16([r, g, b].map(kept)) } else { wrap_to_u16(r as f32) }
+            if colored { heights::brightness_u16([r, g, b].map(kept)) } else { scale_and_wrap_to_u16(r as f32) }
         }));
     }
     Ok(HeightField::new(width, all, false, 0.0))
@@ -165,13 +165,13 @@ impl Readable for HeightField {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut format = None;
-        while let Next::Word(word) = r.next()?
+        while let Next::Word(word) = r.peek_next()?
             && FORMATS.contains(&word)
         {
             r.take_token()?;
             format = Some(word);
         }
-        match r.next()? {
+        match r.peek_next()? {
             Next::Function => read_function(r),
             _ => {
                 let (at, name) = (r.span(), r.text()?);

@@ -33,11 +33,11 @@ impl Normals {
 /// Mean of the normals that a height field's corner has towards its neighbours on each side, in cells and steps (quirk:
 /// `height_field_normals`).
 fn mean_normal(grid: &Grid, column: usize, row: usize) -> DVec3 {
-    let here = grid.corner_height(column, row);
-    let left = (column > 0).then(|| here - grid.corner_height(column - 1, row));
-    let right = (column < grid.across).then(|| grid.corner_height(column + 1, row) - here);
-    let before = (row > 0).then(|| here - grid.corner_height(column, row - 1));
-    let behind = (row < grid.deep).then(|| grid.corner_height(column, row + 1) - here);
+    let here = grid.corner_height_in_steps(column, row);
+    let left = (column > 0).then(|| here - grid.corner_height_in_steps(column - 1, row));
+    let right = (column < grid.across).then(|| grid.corner_height_in_steps(column + 1, row) - here);
+    let before = (row > 0).then(|| here - grid.corner_height_in_steps(column, row - 1));
+    let behind = (row < grid.deep).then(|| grid.corner_height_in_steps(column, row + 1) - here);
     let mut sum = DVec3::ZERO;
     for along_x in [left, right].into_iter().flatten() {
         for along_z in [before, behind].into_iter().flatten() {

@@ -87,7 +87,7 @@ type Block = [[usize; 2]; 3];
 
 /// Function that receives the pieces of a ray through an isosurface's cells in order: both ends, and the bounds of the
 /// gradient, `None` without surface. It returns true to stop.
-pub type Visit<'a> = &'a mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool;
+pub type StopsAt<'a> = &'a mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool;
 
 impl Cells {
     /// Finds the cells in which an isosurface's function can have the threshold's value.
@@ -102,9 +102,10 @@ impl Cells {
         Self { formula: formula.clone(), threshold, grid }
     }
 
-    /// Calls `visit` with the pieces of a ray in each cell of the isosurface.
-    pub fn any_piece(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
-        self.any_piece_in_grid(&self.grid, HALVINGS, ray, (from, to), visit)
+    /// Calls `stops_at` with the pieces of a ray in each cell of the isosurface, in order, until it returns true. Returns
+    /// true if it did.
+    pub fn any_piece(&self, ray: &Ray, from: f64, to: f64, stops_at: StopsAt) -> bool {
+        self.any_piece_in_grid(&self.grid, HALVINGS, ray, (from, to), stops_at)
     }
 
     fn any_piece_in_grid(
@@ -113,7 +114,7 @@ impl Cells {
         halvings_left: u32,
         ray: &Ray,
         (from, to): (f64, f64),
-        visit: Visit,
+        stops_at: StopsAt,
     ) -> bool {
         let o = (ray.origin - grid.bounds.min) * grid.scale;
         let d = ray.dir * grid.scale;
@@ -131,11 +132,13 @@ impl Cells {
             let axis = if ends[axis] <= ends[2] { axis } else { 2 };
             let next = ends[axis].min(to).max(t);
             let ended = match grid.cell_at(cell) {
-                None => visit(t, next, None),
-                Some(inner) if halvings_left == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
+                None => stops_at(t, next, None),
+                Some(inner) if halvings_left == 0 || inner.gradient.is_known() => {
+                    stops_at(t, next, Some(&inner.gradient))
+                }
                 Some(inner) => match self.eight_parts_if_useful(grid, cell, inner) {
-                    Some(finer) => self.any_piece_in_grid(finer, halvings_left - 1, ray, (t, next), visit),
-                    None => visit(t, next, Some(&inner.gradient)),
+                    Some(finer) => self.any_piece_in_grid(finer, halvings_left - 1, ray, (t, next), stops_at),
+                    None => stops_at(t, next, Some(&inner.gradient)),
                 },
             };
             if ended {

@@ -102,19 +102,18 @@ impl Isosurface {
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
-    /// Calls `found` with each hit of a ray on the isosurface in the range, ascending, until it returns true.
-    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
+    /// Calls `stops_at` with each hit of a ray on the isosurface in the range, ascending, until it returns true.
+    fn search(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(Hit) -> bool) {
         let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         if !(enter < range.max && leave > range.min) {
             return;
         }
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
-        let mut report_hit = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on_piece(t + enter, part));
+        let mut report_hit = |t: f64, part: u32| range.contains(t + enter) && stops_at(Hit::on_piece(t + enter, part));
         let value = |t: f64| self.value_at(near.at(t));
         let to = leave - enter;
-        // Position of the ray's origin.
-        let origin = -enter;
+        let origin_t = -enter;
         let begins_outside = enter > BEGINS;
         // (The value behind the ray is not needed.)
         let first = (begins_outside || range.min <= enter).then(|| value(0.0));
@@ -124,35 +123,36 @@ impl Isosurface {
         }
         let mut walk = match begins_outside {
             true => Walk::entering_container(&value, is_solid, self.open, to, self.accuracy),
-            false => Walk::starting_in_container(&value, origin, to, self.accuracy, self.max_gradient),
+            false => Walk::starting_in_container(&value, origin_t, to, self.accuracy, self.max_gradient),
         };
         let from = walk.as_ref().map_or(f64::INFINITY, Walk::search_start);
         let within = Range { min: from.min(range.min - enter), max: range.max - enter };
         // Roots behind the ray's origin are reported unchanged.
         let mut report_root = |t: f64| match &mut walk {
-            _ if t <= origin => report_hit(t, SURFACE),
+            _ if t <= origin_t => report_hit(t, SURFACE),
             Some(walk) => walk.povray_hit(t).is_some_and(|t| report_hit(t, SURFACE)),
             None => false,
         };
-        if self.any_root_in_cells(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut report_root) {
+        if self.any_root_in_cells(&near, (origin_t, to), within, first.map(|first| (0.0, first)), &mut report_root) {
             return;
         }
-        let leaves = walk.is_some() || to <= origin;
+        let leaves = walk.is_some() || to <= origin_t;
         if !self.open && leave < range.max && leaves && value(to) < 0.0 {
             report_hit(to, FACE);
         }
     }
 
-    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and
-    /// `known_t_and_value` is a point with its value. Pieces start where cells do, so that roots hardly depend on the
-    /// range.
+    /// Searches the isosurface's cells between 0 and `to` that overlap the range `within`; returns true if `stops_at`,
+    /// which receives the roots, did. All positions are those on `near`, a ray that starts at the container; `origin_t`
+    /// is that of the original ray's origin. `known_t_and_value` is a point with its value. Pieces start where cells
+    /// do, so that roots hardly depend on the range.
     fn any_root_in_cells(
         &self,
         near: &Ray,
-        (origin, to): (f64, f64),
+        (origin_t, to): (f64, f64),
         within: Range,
         mut known_t_and_value: Option<(f64, f64)>,
-        found: &mut dyn FnMut(f64) -> bool,
+        stops_at: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
         let value = &|t: f64| self.value_at(near.at(t));
         let cells = self.cells();
@@ -168,8 +168,8 @@ impl Isosurface {
             let first = known_t_and_value.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
             known_t_and_value = Some(last);
-            Search { value, apart, exact, roughly, ahead: origin, range: within }
-                .any_root_between(first, last, rate, found)
+            Search { value, apart, exact, roughly, ahead: origin_t, range: within }
+                .any_root_between(first, last, rate, stops_at)
         };
         // Consecutive cells without bounds are searched as one piece.
         let mut run: Option<(f64, f64)> = None;

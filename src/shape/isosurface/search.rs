@@ -23,12 +23,12 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Calls `found` with all roots between two points, ascending, until it returns true. `rate` bounds the derivative
-    /// there.
+    /// Calls `stops_at` with all roots between two points, ascending, until it returns true. `rate` bounds the
+    /// derivative there.
     ///
     /// From an end on, the value cannot reach 0 sooner than the rate allows: the rest is bisected (as in Kalra and
     /// Barr, "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
-    pub fn any_root_between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
+    pub fn any_root_between(&self, a: Point, b: Point, rate: Interval, stops_at: &mut dyn FnMut(f64) -> bool) -> bool {
         if b.0 <= self.range.min || a.0 >= self.range.max {
             return false;
         }
@@ -44,11 +44,11 @@ impl Search<'_> {
         let one_way = if a.1 < 0.0 { rate.lo >= 0.0 } else { rate.hi <= 0.0 };
         let (lo, hi) = (lo.clamp(a.0, b.0), hi.clamp(a.0, b.0));
         if differ && (one_way || hi - lo <= self.apart) {
-            return self.only_root_between(a, b).is_some_and(found);
+            return self.only_root_between(a, b).is_some_and(stops_at);
         }
         let middle = 0.5 * (lo + hi);
         let m = (middle, (self.value)(middle));
-        self.any_root_between(a, m, rate, found) || self.any_root_between(m, b, rate, found)
+        self.any_root_between(a, m, rate, stops_at) || self.any_root_between(m, b, rate, stops_at)
     }
 
     /// Returns the only root between two points, if it is in the range.

@@ -67,7 +67,7 @@ pub struct JuliaFractal {
 
 /// Function that receives an interval in which a ray crosses a Julia fractal, and a function that refines it; returns
 /// true to stop.
-type Found<'a> = &'a mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool;
+type StopsAt<'a> = &'a mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool;
 
 impl JuliaFractal {
     /// Creates the Julia fractal of h² + c in quaternions.
@@ -169,9 +169,9 @@ impl JuliaFractal {
         (half > 0.0 && half.is_finite() && from < to).then_some((from, to))
     }
 
-    /// Calls `found` with each interval in which a ray crosses a Julia fractal's surface, ascending, until it returns
-    /// true.
-    fn search_crossing_intervals(&self, ray: &Ray, range: Range, found: Found) {
+    /// Calls `stops_at` with each interval in which a ray crosses a Julia fractal's surface, ascending, until it
+    /// returns true.
+    fn search_crossing_intervals(&self, ray: &Ray, range: Range, stops_at: StopsAt) {
         if self.iteration_count() == 0 {
             return;
         }
@@ -200,7 +200,7 @@ impl JuliaFractal {
             if there.0 != inside {
                 let value = |s: f64| self.escape_value_negative_inside(at(s), radius * radius);
                 let root = || t(root_between(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
-                if found([t(s), t(next)], &root) {
+                if stops_at([t(s), t(next)], &root) {
                     return;
                 }
             }

@@ -89,23 +89,23 @@ impl Rule {
         }
     }
 
-    /// Iterates a Julia fractal's function at most `count` times. `visit` receives the squared lengths from h₀ on, and
-    /// returns false to stop.
+    /// Iterates a Julia fractal's function at most `count` times, from `h`, with the constant `c`. `continues_at`
+    /// receives the squared lengths from h₀ on; false ends the iteration.
     #[inline]
-    pub fn iterate_orbit(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
+    pub fn iterate_orbit(self, [h, c]: [Four; 2], count: usize, continues_at: impl FnMut([f64; 2]) -> bool) {
         match self {
             Rule::Pair(f) => {
                 let c = to_complex_pair(c);
                 let squares = |z: [Complex; 2]| z.map(Complex::length_squared);
                 if f == Function::Sqr {
                     let next = |z: [Complex; 2]| from_fn(|i| z[i].square() + c[i]);
-                    return iterate(to_complex_pair(h), next, squares, count, visit);
+                    return iterate(to_complex_pair(h), next, squares, count, continues_at);
                 }
                 let next = |z: [Complex; 2]| from_fn(|i| f.value_and_slope(z[i]).0 + c[i]);
-                iterate(to_complex_pair(h), next, squares, count, visit);
+                iterate(to_complex_pair(h), next, squares, count, continues_at);
             }
             Rule::Square => {
-                iterate(h, |h| quaternion_sum(quaternion_square(h), c), |h| [length_squared(h); 2], count, visit)
+                iterate(h, |h| quaternion_sum(quaternion_square(h), c), |h| [length_squared(h); 2], count, continues_at)
             }
             Rule::Cube => {
                 iterate(
@@ -113,18 +113,18 @@ impl Rule {
                     |h| quaternion_sum(quaternion_product(quaternion_square(h), h), c),
                     |h| [length_squared(h); 2],
                     count,
-                    visit,
+                    continues_at,
                 );
             }
         }
     }
 
-    /// Returns true if a Julia fractal's orbit stays within `escape_radius`, and a radius around the start within which all
-    /// points share that; the radius is 0 where nothing is proven.
+    /// Returns true if a Julia fractal's orbit stays within `escape_radius`, and a radius around its start within which
+    /// all points share that; the radius is 0 where nothing is proven.
     #[inline]
     pub fn stays_with_clearance(
         self,
-        start: [Four; 2],
+        start_and_constant: [Four; 2],
         escape_radius: f64,
         count: usize,
         trail: &mut Trail,
@@ -132,7 +132,7 @@ impl Rule {
         trail.clear();
         let (exit, proved) = (escape_radius * escape_radius, self.has_proven_bound());
         let mut stays = true;
-        self.iterate_orbit(start, count, |squares| {
+        self.iterate_orbit(start_and_constant, count, |squares| {
             trail.push(squares);
             // One iteration after the escape gives a better radius.
             let goes_on = stays && (proved || mean_of_squared_lengths(squares) <= exit);
@@ -144,9 +144,9 @@ impl Rule {
     }
 
     /// Returns the maximum squared length of a Julia fractal's orbit; infinite for NaN.
-    pub fn max_squared_length(self, start: [Four; 2], count: usize) -> f64 {
+    pub fn max_squared_length(self, start_and_constant: [Four; 2], count: usize) -> f64 {
         let mut most = 0.0;
-        self.iterate_orbit(start, count, |squares| {
+        self.iterate_orbit(start_and_constant, count, |squares| {
             let square = mean_of_squared_lengths(squares);
             most = if square <= most { most } else { square };
             most.is_finite()
@@ -276,10 +276,10 @@ fn iterate<T: Copy>(
     next: impl Fn(T) -> T,
     squares: impl Fn(T) -> [f64; 2],
     count: usize,
-    mut visit: impl FnMut([f64; 2]) -> bool,
+    mut continues_at: impl FnMut([f64; 2]) -> bool,
 ) {
     for left in (0..=count).rev() {
-        if !visit(squares(h)) || left == 0 {
+        if !continues_at(squares(h)) || left == 0 {
             return;
         }
         h = next(h);

@@ -194,7 +194,7 @@ pub trait Kernel {
     }
 
     /// Triangles of a mesh, in the order written; empty for shapes other than meshes.
-    fn faces(&self) -> Vec<Face> {
+    fn mesh_faces(&self) -> Vec<Face> {
         vec![]
     }
 

@@ -35,7 +35,7 @@ pub fn read_shape<S: Readable + Kernel>(text: &str) -> (Result<S>, Vec<Diagnosti
 fn read_whole_shape<S: Readable + Kernel>(r: &mut NumberWordReader) -> Result<S> {
     let mut shape = S::read(r)?;
     loop {
-        let next = r.next()?;
+        let next = r.peek_next()?;
         if !shape.read_own(next, r)? && !shape.read_textured(next, r, &mut NoPaints)? {
             break;
         }
@@ -70,7 +70,7 @@ struct NumberWordReader {
 }
 
 impl Reader for NumberWordReader {
-    fn next(&mut self) -> Result<Next> {
+    fn peek_next(&mut self) -> Result<Next> {
         Ok(match self.left.front() {
             None => Next::End,
             Some(w) if w.starts_with(|c: char| c.is_ascii_alphabetic()) => Next::Word(w.clone().leak()),
@@ -110,11 +110,11 @@ impl Reader for NumberWordReader {
     }
 
     fn optional_float(&mut self) -> Result<Option<f64>> {
-        if Reader::next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
+        if Reader::peek_next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
     }
 
-    fn next_in_statement(&mut self) -> Result<Next> {
-        Reader::next(self)
+    fn peek_until_directive(&mut self) -> Result<Next> {
+        Reader::peek_next(self)
     }
 
     fn float_or_color(&mut self) -> Result<FloatOrColor> {
@@ -204,7 +204,7 @@ impl Reader for NumberWordReader {
         Err(self.unexpected("no picture").into())
     }
 
-    fn read_sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+    fn read_function_if_sized(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         Ok(None)
     }
 

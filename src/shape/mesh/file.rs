@@ -1,6 +1,6 @@
 //! `mesh { file "NAME" … }`: triangles from a file of another program. An addition of durer.
 
-use super::ordered::Ordered;
+use super::hierarchy::TriangleHierarchy;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
 use crate::mesh_io::{MeshFile, MeshMaterial};
@@ -19,7 +19,7 @@ pub const FILE: WordSpec = word(
 /// Contents of a mesh file, shared by all meshes that name it.
 #[derive(Debug, PartialEq)]
 pub struct FileMesh {
-    pub triangles: Arc<Ordered>,
+    pub triangles: Arc<TriangleHierarchy>,
     materials: Vec<(MeshMaterial, Option<Arc<Picture>>)>,
 }
 
@@ -35,7 +35,7 @@ impl FileMesh {
         let at = r.span();
         let thing = r.read_mesh_file(|file: MeshFile, pictures| {
             let materials = file.materials.into_iter().zip(pictures).collect();
-            Arc::new(Self { triangles: Arc::new(Ordered::new(file.triangles)), materials })
+            Arc::new(Self { triangles: Arc::new(TriangleHierarchy::new(file.triangles)), materials })
         })?;
         match downcast::<Self>(&thing) {
             Some(file) => Ok(file),

@@ -5,7 +5,7 @@
 
 mod face;
 mod file;
-mod ordered;
+mod hierarchy;
 mod read;
 
 pub use face::Face;
@@ -13,7 +13,7 @@ pub use read::{Mesh, Mesh2};
 
 use super::{Hit, TextureWeights};
 use crate::math::{DVec3, Ray};
-use ordered::Ordered;
+use hierarchy::TriangleHierarchy;
 use serde::Serialize;
 use smallvec::smallvec;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ use std::sync::Arc;
 pub struct TriangleMesh {
     /// Triangles of the mesh; shared by all meshes of one file.
     #[serde(flatten)]
-    triangles: Arc<Ordered>,
+    triangles: Arc<TriangleHierarchy>,
     /// Direction of a line that crosses the mesh an odd number of times from points inside; without it nothing is
     /// inside.
     inside_vector: Option<DVec3>,
@@ -95,7 +95,7 @@ macro_rules! mesh_kernel {
                 self.0.triangles.uv(hit)
             }
 
-            fn faces(&self) -> Vec<$crate::shape::Face> {
+            fn mesh_faces(&self) -> Vec<$crate::shape::Face> {
                 self.0.triangles.faces()
             }
 

@@ -10,7 +10,7 @@
 //! ```
 
 use super::file::{FILE, FileMesh};
-use super::ordered::Ordered;
+use super::hierarchy::TriangleHierarchy;
 use super::{TriangleMesh, mesh_kernel};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
@@ -101,7 +101,7 @@ impl Readable for Mesh {
         let Draft { triangles, file, .. } = std::mem::take(&mut self.1);
         self.0.triangles = match file {
             Some(file) => file.triangles.clone(),
-            None => Arc::new(Ordered::new(triangles)),
+            None => Arc::new(TriangleHierarchy::new(triangles)),
         };
         self.0.warn_if_empty("mesh", span, r);
         Ok(())
@@ -129,7 +129,10 @@ fn file_and_triangles_error(span: Span) -> Fault {
 impl Mesh {
     /// Creates a mesh of existing triangles.
     pub fn from_triangles(triangles: Triangles) -> Self {
-        Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
+        Self(
+            TriangleMesh { triangles: Arc::new(TriangleHierarchy::new(triangles)), ..TriangleMesh::default() },
+            Draft::default(),
+        )
     }
 
     /// Reads a triangle or the `file` of a `mesh`, if it is next; returns false otherwise.
@@ -167,7 +170,7 @@ impl Mesh {
             }
         }
         loop {
-            let next = r.next()?;
+            let next = r.peek_next()?;
             match next {
                 Next::End => break,
                 Next::Word("uv_vectors") => {
@@ -180,7 +183,7 @@ impl Mesh {
                 Next::Block("texture_list") => {
                     r.take_token()?;
                     for slot in &mut texture_weights {
-                        let next = r.next()?;
+                        let next = r.peek_next()?;
                         *slot = match paints.read_listed_texture(next, r)? {
                             Some(slot) => slot,
                             None => return Err(r.unexpected("a texture for each of the three corners").into()),
@@ -272,7 +275,7 @@ impl Readable for Mesh2 {
         check_indices(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
         check_indices(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
         check_indices(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
-        self.0.triangles = Arc::new(Ordered::new(mesh));
+        self.0.triangles = Arc::new(TriangleHierarchy::new(mesh));
         self.0.warn_if_empty("mesh2", span, r);
         Ok(())
     }
@@ -294,7 +297,7 @@ impl Mesh2 {
             "uv_vectors" => mesh.uvs = read_list(r, |r| r.vector2())?,
             "texture_list" => {
                 *textures = read_list(r, |r| {
-                    let next = r.next()?;
+                    let next = r.peek_next()?;
                     paints.read_listed_texture(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
                 })?;
             }
@@ -399,7 +402,7 @@ fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Trip
     let mut painted: Vec<[u32; 3]> = vec![];
     // Number of textures of the last face.
     let mut given = 0;
-    while r.next()? == Next::Value {
+    while r.peek_next()? == Next::Value {
         match r.value()? {
             (Value::Float(number), span) => {
                 if given == 3 || faces.is_empty() {

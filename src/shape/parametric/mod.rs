@@ -145,7 +145,7 @@ impl Readable for Parametric {
             Next::Word("precompute") => {
                 r.take_token()?;
                 r.float()?;
-                while r.next()? == Next::Value {
+                while r.peek_next()? == Next::Value {
                     r.value()?;
                 }
             }

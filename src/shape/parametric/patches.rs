@@ -220,10 +220,11 @@ impl Line<'_> {
         if q0.max(q1) > 0.7 {
             return Verdict::Open;
         }
-        self.approach_root(patch, [y0 * half.x, y1 * half.y], half)
+        self.iterate_to_root(patch, [y0 * half.x, y1 * half.y], half)
     }
 
-    fn approach_root(&self, patch: &Patch, inverse_jacobian: [DVec2; 2], half: DVec2) -> Verdict {
+    /// Iterates until the root in the patch is found or excluded, at most 60 times.
+    fn iterate_to_root(&self, patch: &Patch, inverse_jacobian: [DVec2; 2], half: DVec2) -> Verdict {
         let middle = (patch.from + patch.to) * 0.5;
         let mut uv = middle;
         for _ in 0..60 {

@@ -25,17 +25,22 @@ impl Serialize for Formula {
 }
 
 impl Formula {
-    /// Reads a function of the parameters `names`.
+    /// Reads a function of three parameters. `expected_parameters` lists them for the error messages only, as in `x, y
+    /// and z`.
     ///
     /// # Errors
     /// A diagnostic for anything but such a function.
-    pub fn read(r: &mut dyn Reader, names: &str) -> Result<Self> {
-        if !matches!(r.next()?, Next::Function | Next::Thing("function")) {
-            return Err(r.unexpected(&format!("`function {{ … }}` of {names}")).into());
+    pub fn read(r: &mut dyn Reader, expected_parameters: &str) -> Result<Self> {
+        if !matches!(r.peek_next()?, Next::Function | Next::Thing("function")) {
+            return Err(r.unexpected(&format!("`function {{ … }}` of {expected_parameters}")).into());
         }
         let (thing, at) = r.take_thing()?;
         let Some(function) = downcast::<Function>(&thing) else {
-            return Diagnostic::err(codes::WRONG_TYPE, at, format!("expected `function {{ … }}` of {names}"));
+            return Diagnostic::err(
+                codes::WRONG_TYPE,
+                at,
+                format!("expected `function {{ … }}` of {expected_parameters}"),
+            );
         };
         if function.result_type() != ResultType::Number {
             return Diagnostic::new(codes::WRONG_TYPE, at, "this function does not give a number")
@@ -46,7 +51,8 @@ impl Formula {
         match function.arity() {
             3 => Ok(Self(function)),
             n => {
-                let message = format!("this function shall have the parameters {names}; it takes {n} of its own");
+                let message =
+                    format!("this function shall have the parameters {expected_parameters}; it takes {n} of its own");
                 Diagnostic::new(codes::WRONG_COUNT, at, message)
                     .help("leave the parameters out: `function { … }`")
                     .into()
@@ -94,7 +100,7 @@ impl Container {
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         r.take_token()?;
-        let container = match r.next()? {
+        let container = match r.peek_next()? {
             Next::Block("box") => {
                 r.take_token()?;
                 Self::Box(Cuboid::read_finite(r)?)

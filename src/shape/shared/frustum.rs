@@ -283,7 +283,7 @@ impl Frustum {
     /// Angle about the frustum's axis, and height along it. POV-Ray defines no uv mapping for cones and cylinders.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.to_axis_frame(p - self.base);
-        let u = fp::angle_in_turns(at.y, at.x);
+        let u = fp::positive_angle_in_turns(at.y, at.x);
         let v = match part {
             WALL => at.w,
             BASE => at.across_squared().sqrt() / self.base_radius.abs(),

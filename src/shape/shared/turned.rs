@@ -15,8 +15,8 @@ const STEEP: f64 = 0.1;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Walls {
     pieces: Vec<Piece>,
-    /// Height that is subtracted from all heights in the walls' `pieces`.
-    level: f64,
+    /// Height that is y = 0 for the walls' `pieces`: it has been subtracted from all of their heights.
+    origin_height: f64,
 }
 
 /// One segment of the walls of a surface of revolution, in Bernstein coefficients of one degree, at most 6: height,
@@ -49,18 +49,19 @@ struct Line {
 }
 
 impl Walls {
-    /// Builds the walls of a surface of revolution from Bernstein coefficients of heights and of squared radii.
-    pub fn new(segments: impl IntoIterator<Item = (SmallVec<[f64; 4]>, Vec<f64>)>, level: f64) -> Self {
+    /// Builds the walls of a surface of revolution from Bernstein coefficients of heights and of squared radii. The
+    /// walls' pieces are stored relative to `origin_height`.
+    pub fn new(segments: impl IntoIterator<Item = (SmallVec<[f64; 4]>, Vec<f64>)>, origin_height: f64) -> Self {
         let raise = |(height, radius2): (SmallVec<[f64; 4]>, Vec<f64>)| {
-            let height: Vec<f64> = height.iter().map(|y| y - level).collect();
+            let height: Vec<f64> = height.iter().map(|y| y - origin_height).collect();
             Piece::new(&height, radius2)
         };
-        Self { pieces: segments.into_iter().map(raise).collect(), level }
+        Self { pieces: segments.into_iter().map(raise).collect(), origin_height }
     }
 
     /// Appends the hits on the walls in the range; `part` and `uv.x` are the segment and the position in it.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        let from = ray.origin - DVec3::Y * self.level;
+        let from = ray.origin - DVec3::Y * self.origin_height;
         let length = ray.dir.length();
         let v = ray.dir / length;
         let middle = -from.dot(v);
@@ -97,7 +98,7 @@ impl Walls {
     /// Surface coordinates of the walls: angle about the axis, and position along the curve, where all segments count
     /// as equally long (quirk: `lathe_uv`).
     pub fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
-        DVec2::new(fp::angle_in_turns(p.z, p.x), (f64::from(hit.part) + hit.uv.x) / self.pieces.len() as f64)
+        DVec2::new(fp::positive_angle_in_turns(p.z, p.x), (f64::from(hit.part) + hit.uv.x) / self.pieces.len() as f64)
     }
 }
 

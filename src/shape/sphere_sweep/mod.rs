@@ -226,7 +226,7 @@ impl Kernel for SphereSweep {
 
     fn inside(&self, p: DVec3) -> bool {
         let mut inside = false;
-        self.bvh.visit_boxes_containing(p, |i| {
+        self.bvh.visit_items_near_point(p, |i| {
             inside = self.pieces[i].contains(p);
             if inside { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });

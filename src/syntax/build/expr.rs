@@ -137,7 +137,7 @@ impl Builder<'_> {
         let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
         let indices: Box<[Expr]> =
             pairs.into_iter().map(|p| self.expr_in_brackets(p, context)).collect::<Option<_>>()?;
-        if indices.iter().any(Expr::has_bare_comparison) {
+        if indices.iter().any(Expr::has_bare_condition) {
             return None;
         }
         let calls = array.calls || indices.iter().any(|e| e.calls);
@@ -214,7 +214,7 @@ impl Builder<'_> {
         let mut calls = false;
         for part in &parts {
             let ElementKind::Expr(e) = &part.kind else { return None };
-            if e.has_bare_comparison() {
+            if e.has_bare_condition() {
                 return None;
             }
             calls |= e.calls;

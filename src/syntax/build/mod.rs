@@ -13,7 +13,7 @@ use crate::syntax::parse::{Rule, Source};
 use crate::syntax::word;
 pub use expr::{SignRow, unescape};
 use pest::iterators::{Pair, Pairs};
-pub use pieces::{begins_with_parenthesis, begins_with_sign, pieces};
+pub use pieces::{begins_with_parenthesis, begins_with_sign, split_one_level};
 use std::ops::Range;
 
 /// Builder of the syntax tree for one piece of the text. Positions in pairs are token indices within the piece.

@@ -6,7 +6,7 @@ use crate::syntax::ast::*;
 use crate::syntax::word;
 
 /// Returns the parts of an expression, one level down: operators and operands, or brackets and their contents.
-pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
+pub fn split_one_level(e: &Expr, names: &Names) -> Vec<Element> {
     let mut out = Pieces(vec![]);
     match &e.kind {
         ExprKind::Paren(inner) => out.push_bracketed(Bracket::Paren, e.span, |out| out.push_whole(inner)),

@@ -50,7 +50,7 @@ impl<'a> Declared<'a> {
                 DeclarationKind::Declare | DeclarationKind::Local => self.add(&d.name, kind_of(outline, d)),
                 // A parameter or a counter may be of any kind.
                 DeclarationKind::Parameter | DeclarationKind::Counter => self.add(&d.name, DeclaredKind::Unknown),
-                DeclarationKind::Macro => *self.macros.entry(&d.name).or_insert(true) &= is_block_macro(outline, d),
+                DeclarationKind::Macro => *self.macros.entry(&d.name).or_insert(true) &= ends_with_block(outline, d),
             }
         }
     }
@@ -64,7 +64,7 @@ impl<'a> Declared<'a> {
 }
 
 /// True if the last token of the macro that a declaration defines is the `}` of a block.
-fn is_block_macro(outline: &Outline, d: &Declaration) -> bool {
+fn ends_with_block(outline: &Outline, d: &Declaration) -> bool {
     let own = outline.opened_by(outline.first_token_from(d.whole.start)).and_then(|pair| pair.closer);
     own.is_some_and(|end| outline.class_before(end) == class::BRACE_END)
 }

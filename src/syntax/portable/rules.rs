@@ -63,7 +63,7 @@ impl Check<'_> {
         let mut brackets = self.brackets_around(token);
         let Some(open) = brackets.next() else {
             // Between statements; the context of a macro's body is unknown.
-            if self.outline.class_before(token) == class::BRACE_END && self.is_statement(token) {
+            if self.outline.class_before(token) == class::BRACE_END && self.follows_statement_block(token) {
                 self.report(token, "POV-Ray accepts no comma between objects".into(), "leave it out");
             }
             return;
@@ -93,7 +93,7 @@ impl Check<'_> {
             let begins = is_keyword(self.outline, token + 1)
                 && (modifies || PATTERN_WORDS.contains(&self.outline.word(token + 1)));
             // A macro that is called before it may contain a list.
-            let listed = self.outline.class_before(token) == class::PAREN_END || self.has_list(token);
+            let listed = self.outline.class_before(token) == class::PAREN_END || self.has_list_pattern_before(token);
             if (begins || next == class::BRACE_END) && !listed {
                 self.report(token, format!("in `{block} {{ … }}`, POV-Ray accepts no comma here"), "leave it out");
             }
@@ -111,8 +111,9 @@ impl Check<'_> {
         }
     }
 
-    /// True if the open block has a pattern with a list before this token.
-    fn has_list(&self, token: usize) -> bool {
+    /// True if the open block has a pattern with a list, such as `checker`, before this token, or a name that may be
+    /// one.
+    fn has_list_pattern_before(&self, token: usize) -> bool {
         let start = self.brackets_around(token).next().map_or(0, |open| open.opener);
         (start..token).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
     }
@@ -133,7 +134,9 @@ impl Check<'_> {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
                 self.report(semicolon, message.into(), "leave it out");
             }
-            None if self.outline.class_before(semicolon) == class::BRACE_END && self.is_statement(semicolon) => {
+            None if self.outline.class_before(semicolon) == class::BRACE_END
+                && self.follows_statement_block(semicolon) =>
+            {
                 self.report(semicolon, "POV-Ray accepts no `;` after an object".into(), "leave it out");
             }
             // `#include "a.inc";`
@@ -164,7 +167,7 @@ impl Check<'_> {
         let Some(head) = self.outline.closed_by(end).map(|pair| pair.opener) else { return false };
         head == 0
             || self.outline.class(head - 1) == class::SEMICOLON
-            || self.outline.class(head - 1) == class::BRACE_END && self.is_statement(head)
+            || self.outline.class(head - 1) == class::BRACE_END && self.follows_statement_block(head)
     }
 
     /// True if the token before this index ends a call of a macro that produces an object, where a statement may begin.
@@ -174,14 +177,14 @@ impl Check<'_> {
         };
         let before = self.outline.class_before(name);
         let starts = matches!(before, 0 | class::SEMICOLON | class::END)
-            || before == class::BRACE_END && self.is_statement(name);
+            || before == class::BRACE_END && self.follows_statement_block(name);
         starts
             && self.outline.class(name) == class::NAME
             && self.declared.macro_ends_with_block(self.outline.word(name))
     }
 
     /// True if the block that ends before this token is a statement, not a value or a part of a macro or a branch.
-    fn is_statement(&self, token: usize) -> bool {
+    fn follows_statement_block(&self, token: usize) -> bool {
         let Some(head) = self.outline.closed_by(token - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
@@ -194,7 +197,7 @@ impl Check<'_> {
     /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn report_color_without_keyword(&mut self, token: usize) {
         let is_vector = self.outline.class(token) == class::VECTOR;
-        if self.is_first_in_pigment(token) || is_vector && self.is_map_entry(token) {
+        if self.is_first_in_pigment(token) || is_vector && self.is_map_entry_value(token) {
             let what = if is_vector { "vector" } else { "number" };
             self.report(token, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
         }
@@ -206,8 +209,8 @@ impl Check<'_> {
         self.enclosing_block_word(token) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == token)
     }
 
-    /// True if the token follows the number of an entry of a colour map.
-    fn is_map_entry(&self, token: usize) -> bool {
+    /// True if the token begins the value of an entry of a colour map: it follows the number of the entry.
+    fn is_map_entry_value(&self, token: usize) -> bool {
         let mut outwards = self.brackets_around(token);
         let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
         entry.bracket == b'['
@@ -266,7 +269,7 @@ impl Check<'_> {
         if calls || said || is_directive(before) {
             return self.report_durer_only_word(token);
         }
-        let is_color = self.is_first_in_pigment(token) || self.is_map_entry(token);
+        let is_color = self.is_first_in_pigment(token) || self.is_map_entry_value(token);
         let block = self.enclosing_block_word(token).unwrap_or("");
         let name = self.outline.word(token);
         match self.declared.kind(name) {

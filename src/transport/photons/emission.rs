@@ -277,9 +277,9 @@ fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> 
     }
 }
 
-/// Returns the power of a photon after a path of this length, per solid angle or area: POV-Ray's light does not fall off
-/// by itself, so that the power grows with the square of the path.
-pub fn photon_power_after_path(source: &Source, light: &LightSource, path_length: f64) -> Rgb {
+/// Returns the power of a photon after a path of this length, per [`Emitted::measure`] (solid angle or area). POV-Ray's
+/// light does not fall off by itself, so that the power grows with the square of the path.
+pub fn photon_power_per_measure(source: &Source, light: &LightSource, path_length: f64) -> Rgb {
     let spread = if source.is_cone() { path_length * path_length } else { 1.0 };
     light.emitter.strength_at(path_length) * spread
 }

@@ -8,7 +8,7 @@ use super::super::scatter::Boundary;
 use super::super::segment::{ShadowSegments, Span};
 use super::super::shading_point::ShadingPoint;
 use super::super::tracer::Tracer;
-use super::emission::{Emitted, Job, Source, photon_power_after_path};
+use super::emission::{Emitted, Job, Source, photon_power_per_measure};
 use super::map::Photon;
 use super::{PhotonPass, PhotonShard, Ring};
 use crate::color::Rgb;
@@ -124,7 +124,7 @@ impl<'w> Tracer<'w> {
         let interface = self.interface(&flight.state, &hit);
         let shading = ShadingPoint::new(world, &ray, &hit, &self.context.quality, &interface);
         if flight.has_hit_target && self.stores_photons(beam, &shading) {
-            let flux = flight.state.throughput * photon_power_after_path(source, beam.light, flight.distance);
+            let flux = flight.state.throughput * photon_power_per_measure(source, beam.light, flight.distance);
             ring.surface.push(Photon::new(shading.point, flux, ray.dir));
         }
         // Photons that continue
@@ -195,7 +195,7 @@ impl<'w> Tracer<'w> {
             if media.iter().any(is_there) {
                 let flux = state.throughput
                     * transmittance
-                    * photon_power_after_path(beam.source, beam.light, flight.distance + t);
+                    * photon_power_per_measure(beam.source, beam.light, flight.distance + t);
                 ring.media.push(Photon::new(p, flux * step, ray.dir));
             }
         }

@@ -86,8 +86,10 @@ impl Original {
         let shared = Geometry::from(builder);
         let original = Self { _parts: parts.clone(), node: solid.node, shared: Arc::new(shared) };
         let is_more = |node: &SolidNode| !matches!(node.kind(), SolidKind::Leaf(_));
-        let fits =
-            |shared: &Geometry| shared.is_finite() && (shared.solids().count() > 1 || shared.solids().all(is_more));
+        let fits = |shared: &Geometry| {
+            shared.is_finite()
+                && (shared.non_instanced_solids().count() > 1 || shared.non_instanced_solids().all(is_more))
+        };
         Ok(Some(original).filter(|original| fits(&original.shared)))
     }
 }

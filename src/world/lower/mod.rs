@@ -221,7 +221,7 @@ impl Lowering {
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
         if matches!(object.kind, ObjectKind::Csg(CsgOp::Intersection | CsgOp::Difference, _)) {
-            node = node.visible_within(transformed_box(&inherited.place.now, &object.pov_bounds()));
+            node = node.visible_to_rays_through(transformed_box(&inherited.place.now, &object.pov_bounds()));
         }
         if object.uncommon.flags.inverse {
             node = node.inverted();

@@ -37,9 +37,10 @@ impl Lowering {
         let of_passed = ObjectInfo { through: rest.through, ..none };
         let of_mirrors = ObjectInfo { reflection: rest.reflection, ..none };
         let hidden_from_camera = |kind: &SolidKind, part| matches!(kind, SolidKind::Merge(_)) && !info(part).image;
-        let for_camera = if rest.image { node.without_hidden(&hidden_from_camera) } else { None };
-        let for_passed = if rest.through { node.without_hidden(&|_, part| !info(part).image) } else { None };
-        let for_mirrors = if rest.reflection { node.without_hidden(&|_, part| !info(part).reflection) } else { None };
+        let for_camera = if rest.image { node.without_hidden_if_any(&hidden_from_camera) } else { None };
+        let for_passed = if rest.through { node.without_hidden_if_any(&|_, part| !info(part).image) } else { None };
+        let for_mirrors =
+            if rest.reflection { node.without_hidden_if_any(&|_, part| !info(part).reflection) } else { None };
         rest.image &= for_camera.is_none();
         rest.through &= for_passed.is_none();
         rest.reflection &= for_mirrors.is_none();

@@ -30,7 +30,7 @@ impl SolidNode {
 
     /// Restricts the node to rays that intersect the box that POV-Ray computes for it (quirk: `intersection_box`),
     /// which can be smaller than the node.
-    pub fn visible_within(self, pov_bounds: Aabb) -> Self {
+    pub fn visible_to_rays_through(self, pov_bounds: Aabb) -> Self {
         // Slack for the rounding margins of the parts' boxes.
         let pov_bounds = pov_bounds.grown(1e-6 * pov_bounds.max.abs().max(pov_bounds.min.abs()).max_element().max(1.0));
         if pov_bounds.is_empty() || pov_bounds.union(self.bounds()) == pov_bounds {

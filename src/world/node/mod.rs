@@ -128,10 +128,10 @@ impl SolidNode {
 
     /// Returns the view of the solid without the parts of unions and merges that are `hidden`. Hidden parts remove no
     /// others from view, but still belong to the inside of the solid (quirk: `no_image_in_union`). `None` if nothing is
-    /// hidden.
-    pub fn without_hidden(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
+    /// hidden, so that the solid itself is the view.
+    pub fn without_hidden_if_any(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
         let children = self.children();
-        let seen: Vec<Option<Self>> = children.iter().map(|c| c.without_hidden(hidden)).collect();
+        let seen: Vec<Option<Self>> = children.iter().map(|c| c.without_hidden_if_any(hidden)).collect();
         let joins = matches!(self.kind, SolidKind::Union(_) | SolidKind::Merge(_));
         let shows = |part: &SolidNode| !joins || !hidden(&self.kind, part.object);
         if children.iter().all(shows) && seen.iter().all(Option::is_none) {

@@ -1,13 +1,13 @@
 //! Mistakes in directives, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_letter, split_leading_name, value_up_to_semicolon, without_comment};
+use super::source_line::{SourceLine, is_name_char, split_leading_name, value_up_to_semicolon, without_comment};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns the word after the `#` at the fault, and the rest of the line.
 fn directive_and_rest<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     let rest = source.rest_from_fault().strip_prefix('#')?.trim_start_matches([' ', '\t']);
-    let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
+    let end = rest.find(|c: char| !is_name_char(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
 
@@ -201,7 +201,7 @@ pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Opt
     };
     let named = matches!(word, "macro" | "def" | "func" | "fn" | "proc" | "sub" | "local");
     let names =
-        typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
+        typed.split(|c: char| !is_name_char(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
     Some(CommonMistake { names, loses_directive, ..habit.range(range).code(codes::UNKNOWN_DIRECTIVE) })
 }

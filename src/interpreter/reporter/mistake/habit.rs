@@ -36,8 +36,8 @@ impl CommonMistake {
         self
     }
 
-    pub(super) fn range(mut self, range: Range<usize>) -> Self {
-        self.range = Some(range);
+    pub(super) fn range(mut self, file_range: Range<usize>) -> Self {
+        self.range = Some(file_range);
         self
     }
 

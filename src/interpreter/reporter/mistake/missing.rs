@@ -109,8 +109,8 @@ impl Reporter<'_> {
         }
     }
 
-    /// True if a standard include file declares the name, in any letter case.
-    pub fn is_in_include(&self, name: &str) -> bool {
+    /// True if a file of the library of standard include files declares the name, in any letter case.
+    pub fn is_declared_in_library(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
             || name.len() > 4 && library::standard_names().any(|n| n.eq_ignore_ascii_case(name))
     }

@@ -2,7 +2,7 @@
 
 use super::habit::CommonMistake;
 use super::source_line::{
-    SourceLine, is_letter, split_leading_name, split_trailing_name, value_up_to_semicolon, without_comment,
+    SourceLine, is_name_char, split_leading_name, split_trailing_name, value_up_to_semicolon, without_comment,
 };
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
@@ -15,14 +15,14 @@ pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<CommonMis
         from + source.text.get(from..source.line.end)?.find("<>").filter(|i| *i <= 1 && d.code == codes::SYNTAX)?;
     let (left, right) = (trailing_operand(&source.text[source.line.start..at]), &source.text[at + 2..source.line.end]);
     let right = right.trim_start();
-    let right = &right[..right.find(|c: char| !is_letter(c) && c != '.').unwrap_or(right.len())];
+    let right = &right[..right.find(|c: char| !is_name_char(c) && c != '.').unwrap_or(right.len())];
     let habit = CommonMistake::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
     Some(habit.range(at..at + 2).code(codes::SYNTAX))
 }
 
 fn trailing_operand(text: &str) -> &str {
     let text = text.trim_end();
-    &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
+    &text[text.trim_end_matches(|c: char| is_name_char(c) || c == '.').len()..]
 }
 
 /// Recognizes C's operators `&&`, `||` and `==`.
@@ -76,7 +76,7 @@ pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
 
 fn leading_operand(text: &str) -> &str {
     let text = text.trim_start();
-    &text[..text.find(|c: char| !is_letter(c) && c != '.').unwrap_or(text.len())]
+    &text[..text.find(|c: char| !is_name_char(c) && c != '.').unwrap_or(text.len())]
 }
 
 /// Recognizes the mistake `phong = 0.5`, with a sign between word and value.
@@ -117,7 +117,7 @@ pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Opti
     let numbers: Vec<&str> = inside.split([' ', '\t', ',']).filter(|n| !n.is_empty()).collect();
     let signed = numbers.iter().skip(1).any(|n| n.starts_with(['-', '+']));
     let plain =
-        numbers.iter().all(|n| n.trim_start_matches(['-', '+']).starts_with(|c: char| is_letter(c) || c == '.'));
+        numbers.iter().all(|n| n.trim_start_matches(['-', '+']).starts_with(|c: char| is_name_char(c) || c == '.'));
     if !signed || !plain || !(2..=5).contains(&numbers.len()) {
         return None;
     }

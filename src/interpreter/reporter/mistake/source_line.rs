@@ -53,7 +53,7 @@ impl<'t> SourceLine<'t> {
 
     /// Returns the words of the faulty source line.
     pub(super) fn words(&self) -> impl Iterator<Item = &'t str> {
-        self.text[self.line.clone()].split(|c: char| !is_letter(c)).filter(|word| !word.is_empty())
+        self.text[self.line.clone()].split(|c: char| !is_name_char(c)).filter(|word| !word.is_empty())
     }
 
     /// Returns the byte range of a part of the line, as offsets in the file.
@@ -70,19 +70,19 @@ pub(super) fn without_comment(line: &str) -> &str {
 }
 
 /// True if a name may contain the character.
-pub(super) fn is_letter(c: char) -> bool {
+pub(super) fn is_name_char(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }
 
 /// Splits a text into the name at its start and the text after the name.
 pub(super) fn split_leading_name(text: &str) -> Option<(&str, &str)> {
-    let end = text.find(|c: char| !is_letter(c)).unwrap_or(text.len());
+    let end = text.find(|c: char| !is_name_char(c)).unwrap_or(text.len());
     text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then(|| text.split_at(end))
 }
 
 /// Splits a text into the text before the name at its end, and that name.
 pub(super) fn split_trailing_name(text: &str) -> Option<(&str, &str)> {
-    let start = text.trim_end_matches(is_letter).len();
+    let start = text.trim_end_matches(is_name_char).len();
     let (before, name) = text.split_at(start);
     name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then_some((before, name))
 }

@@ -1,7 +1,7 @@
 //! Mistakes in statements, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_letter, split_leading_name, split_trailing_name, value_up_to_semicolon};
+use super::source_line::{SourceLine, is_name_char, split_leading_name, split_trailing_name, value_up_to_semicolon};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
@@ -17,7 +17,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     let (name, rest) = split_leading_non_keyword(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
     let value = rest.trim_start().strip_prefix('=').filter(|value| !value.starts_with('='))?;
-    let is_list = parameters.split(',').all(|p| !p.trim().is_empty() && p.trim().chars().all(is_letter));
+    let is_list = parameters.split(',').all(|p| !p.trim().is_empty() && p.trim().chars().all(is_name_char));
     let sign = source.file_range_of(value).start - 1;
     let body = value_up_to_semicolon(value);
     let habit = CommonMistake::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));

@@ -20,7 +20,7 @@ impl Reporter<'_> {
             return d.because(Cause::new(Remedy::Include(file), name, span));
         }
         let d = d.because(Cause::new(Remedy::Declare, name, span));
-        let help = hints::newer_name_hint(name)
+        let help = hints::povray_3_8_name_hint(name)
             .map(String::from)
             .or_else(|| meant_name_hint(name, declared))
             .or_else(|| hints::other_tool_hint(name).map(String::from))

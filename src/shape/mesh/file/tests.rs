@@ -156,7 +156,7 @@ fn a_cube_is_a_box() {
     for (ending, bytes) in files {
         let file = read_mesh(&bytes, ending).unwrap();
         assert_eq!((file.triangles.corners.len(), file.triangles.vertices.len()), (12, 8), "{ending}");
-        let mesh = Ordered::new(file.triangles);
+        let mesh = TriangleHierarchy::new(file.triangles);
         for k in 0..2000 {
             let at = |m: usize| (k * m % 1009) as f64 / 1009.0 - 0.5;
             let ray = Ray::new(DVec3::new(at(13), at(29), at(31)) * 9.0, DVec3::new(at(7), at(11), at(17)));
@@ -280,7 +280,7 @@ fn whatever_is_changed_gives_a_message_or_triangles() {
                 }
             }
             if let Ok(file) = read_mesh(&bytes, ending) {
-                let mesh = Ordered::new(file.triangles);
+                let mesh = TriangleHierarchy::new(file.triangles);
                 mesh.any_hit(&Ray::new(DVec3::splat(-3.0), DVec3::new(0.3, 0.2, 0.4)), Range::FORWARD);
             }
         }

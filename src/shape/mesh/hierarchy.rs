@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 /// All triangles of a mesh, with a hierarchy over them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Ordered {
+pub struct TriangleHierarchy {
     /// Triangles of the mesh in the hierarchy's order.
     #[serde(flatten)]
     lists: Triangles,
@@ -26,7 +26,7 @@ pub struct Ordered {
     written: Vec<u32>,
 }
 
-impl Ordered {
+impl TriangleHierarchy {
     /// Builds the hierarchy over a mesh's triangles; leaves out those without area and those beyond the range of
     /// numbers.
     pub fn new(lists: Triangles) -> Self {
@@ -193,7 +193,7 @@ mod tests {
     use crate::math::fp;
 
     /// A grid of n×n squares over [0, 1]², each of two triangles, on a curved surface.
-    fn grid(n: usize) -> Ordered {
+    fn grid(n: usize) -> TriangleHierarchy {
         let at = |i: usize, j: usize| {
             let (x, y) = (i as f64 / n as f64, j as f64 / n as f64);
             DVec3::new(x, y, 0.3 * fp::sin(x * 7.0) * fp::cos(y * 5.0)).as_vec3()
@@ -207,7 +207,7 @@ mod tests {
             let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
             mesh.corners.extend([[a, b, c], [a, c, d]]);
         }
-        Ordered::new(mesh)
+        TriangleHierarchy::new(mesh)
     }
 
     #[test]
