@@ -169,11 +169,11 @@ impl<'w> Tracer<'w> {
         world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
     }
 
-    /// True if the scene has fog or media, and they count along the ray (`radiosity { media }`).
+    /// True if the ray may meet fog or media, and they count along the ray (`radiosity { media }`).
     fn meets_fog_or_media(&self, state: &RayState) -> bool {
         let counts =
             || state.bounces == 0 || self.context.world.radiosity.as_ref().is_some_and(|settings| settings.media);
-        (self.has_air() || self.has_media()) && counts()
+        (self.has_air() || self.has_media() && !state.inside.is_empty()) && counts()
     }
 
     /// Returns the optical boundary at a hit.

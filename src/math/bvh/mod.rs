@@ -99,6 +99,45 @@ macro_rules! walk {
 }
 use walk;
 
+/// Visits the children of a BVH's only node with one of the two implementations of `slabs`, near ones first.
+macro_rules! visit_only_node {
+    ($slabs:path, $node:expr, $ray:ident, $range:ident, $visit:ident) => {{
+        let flat = FlatRay::new($ray, $range, $node);
+        let mut max = $range.max;
+        let (mut mask, near) = $slabs($node, &flat, pad_up(max));
+        while mask != 0 {
+            let slot = nearest_slot(mask, &near);
+            mask &= !(1 << slot);
+            if near[slot] > pad_up(max) {
+                return;
+            }
+            if let Kind::Items(items) = $node.child[slot].kind() {
+                for item in items {
+                    match $visit(item, max) {
+                        ControlFlow::Continue(new_max) => max = new_max,
+                        ControlFlow::Break(()) => return,
+                    }
+                }
+            }
+        }
+    }};
+}
+use visit_only_node;
+
+/// Returns the child of a BVH node that a ray enters first among those in a non-empty mask.
+#[inline(always)]
+fn nearest_slot(mask: u32, near: &[f32; WIDTH]) -> usize {
+    let slot = |mask: u32| mask.trailing_zeros() as usize & (WIDTH - 1);
+    let (mut nearest, mut others) = (slot(mask), mask & (mask - 1));
+    while others != 0 {
+        if near[slot(others)] < near[nearest] {
+            nearest = slot(others);
+        }
+        others &= others - 1;
+    }
+    nearest
+}
+
 /// Position of an item in the BVH's order.
 type ItemPosition = usize;
 /// End of the interval of `t` in which hits are still of interest.
@@ -132,6 +171,10 @@ impl Bvh {
         range: Range,
         mut visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
     ) {
+        if let [only] = &*self.nodes {
+            visit_only_node!(node::slabs, only, ray, range, visit);
+            return;
+        }
         walk!(node::slabs, self, ray, range, |_| (), visit);
     }
 
@@ -143,6 +186,10 @@ impl Bvh {
         range: Range,
         mut visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
     ) {
+        if let [only] = &*self.nodes {
+            visit_only_node!(node::avx2::slabs, only, ray, range, visit);
+            return;
+        }
         walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 

@@ -95,17 +95,19 @@ pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
 #[inline]
 pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
     let (hashes, t) = corner_hashes_and_position(p);
-    let (near, far) = (broadcast_components(t), broadcast_components(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
+    // Twice the coordinates, so that values need no halving: the sum is halved instead, which rounds nothing.
+    let twice = |v: __m256d| broadcast_components(_mm256_add_pd(v, v));
+    let (near, far) = (twice(t), twice(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };
     let corner = |i: usize| {
         let at = hashes[i >> 2][i & 3] & 0xff;
         let [v, gx, gy, gz] = [0, 1, 2, 3].map(|place: usize| load_row(&LANES[at + place]));
-        let v = _mm256_mul_pd(v, _mm256_set1_pd(0.5));
         multiply_add(multiply_add(multiply_add(v, gx, along(0, i)), gy, along(1, i)), gz, along(2, i))
     };
     let [sx, sy, sz] = broadcast_components(s_curve(t));
     let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
-    let sum = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);
+    let twice_sum = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);
+    let sum = _mm256_mul_pd(twice_sum, _mm256_set1_pd(0.5));
     let (xy, z) = (_mm256_castpd256_pd128(sum), _mm256_extractf128_pd::<1>(sum));
     DVec3::new(_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)), _mm_cvtsd_f64(z))
 }
