@@ -188,7 +188,7 @@ fn add_surfaces_one_by_one<'w>(world: &'w World, ray: &Ray, range: Range, surfac
         object.shadow && !object.opaque
     };
     let (mut onward, mut left, mut start) = (*ray, range, 0.0);
-    while let Some(mut hit) = world.geometry.closest(&onward, left, &filters) {
+    while let Some(mut hit) = world.geometry.closest(&onward, left, filters) {
         hit.hit.t += start;
         // Far away, a step can be smaller than the rounding error of the distance.
         if hit.t() <= start {

@@ -3,12 +3,13 @@
 use super::cache::{Blend, Sample};
 use super::{RadiosityPass, RadiosityState, ray_count};
 use crate::color::{Rgb, gray};
-use crate::math::{DVec3, Ray, rng};
+use crate::math::{DVec3, Ray, fp, rng};
 use crate::transport::direct_light::LitSurface;
 use crate::transport::interface::Interiors;
 use crate::transport::ray_state::RayState;
 use crate::transport::shading_point::{ShadedLayer, ShadingPoint};
 use crate::transport::tracer::Tracer;
+use std::f64::consts::TAU;
 
 /// Point of a surface at which rays gather light for a radiosity sample, with its normals and the importance of the
 /// light.
@@ -121,7 +122,10 @@ impl Tracer<'_> {
             Some(_) => (rng::random_unit(&at.point.to_array().map(f64::to_bits)) * all.len() as f64) as usize,
             None => 0,
         };
-        let (tangent, bitangent) = at.normal.any_orthonormal_pair();
+        // Each sample turns its directions about the normal by an angle of its own, so that errors of neighbours differ.
+        let (sin, cos) = fp::sin_cos(TAU * rng::random_unit(&at.point.to_array().map(f64::to_bits)));
+        let (x, y) = at.normal.any_orthonormal_pair();
+        let (tangent, bitangent) = (x * cos + y * sin, y * cos - x * sin);
         let (mut light, mut inverse_distances) = (Rgb::ZERO, 0.0);
         for i in 0..count {
             let d = all[(start + i) % all.len()];
