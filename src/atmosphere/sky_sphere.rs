@@ -56,11 +56,12 @@ pub const SKY_SPHERE: Spec = Spec {
 
 impl SkySphere {
     /// Reads the items of a `sky_sphere` block; `source` is the span of its word. Pigments start from black, whatever
-    /// the default pigment is; only pigments in their maps start from the default (quirk: `sky_sphere_pigment`).
+    /// the default pigment is; only pigments in their maps start from `map_entry_defaults`, the default texture
+    /// (quirk: `sky_sphere_pigment`).
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(r: &mut dyn Reader, defaults: &Texture, source: Span) -> Result<Self> {
+    pub fn read(r: &mut dyn Reader, map_entry_defaults: &Texture, source: Span) -> Result<Self> {
         let mut sky = Self::default();
         loop {
             match r.peek_next()? {
@@ -77,7 +78,7 @@ impl SkySphere {
                 }
                 Next::Block("pigment") => {
                     r.take_token()?;
-                    sky.pigments.push(Pigment::read(r, &Pigment::default(), defaults)?);
+                    sky.pigments.push(Pigment::read(r, &Pigment::default(), map_entry_defaults)?);
                     r.leave_block()?;
                 }
                 Next::Word("emission") => {

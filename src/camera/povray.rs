@@ -129,6 +129,11 @@ impl PovrayCamera {
         self.kind == Kind::Perspective
     }
 
+    /// Checks the camera's angle, the lengths of its vectors, and that it does not look at its own location; `source`
+    /// is the span of the block.
+    ///
+    /// # Errors
+    /// A diagnostic at the first of these faults.
     pub(super) fn check_camera(&self, source: Span) -> Result<()> {
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|a| flat && !(*a > 0.0 && *a < 180.0)) {

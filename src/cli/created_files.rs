@@ -19,8 +19,12 @@ struct Fingerprint {
     modified: u128,
 }
 
-/// Files by the scene that created them, each with its final state; `None` while the scene writes the file.
-type Created = BTreeMap<PathBuf, BTreeMap<PathBuf, Option<Fingerprint>>>;
+/// Files that one scene created, each with its state after the last write. `None` while the scene writes the file, or
+/// if the file was gone at the end: such a file belongs to the scene, whatever its contents.
+type OwnFiles = BTreeMap<PathBuf, Option<Fingerprint>>;
+
+/// Created files, by the path of the scene that created them.
+type Created = BTreeMap<PathBuf, OwnFiles>;
 
 /// Files that one scene created, in this run and in earlier ones.
 #[derive(Debug)]
@@ -43,9 +47,10 @@ impl CreatedByScene {
         }
     }
 
-    /// Changes the list of the scene's files. Programs that run at the same time wait for each other. If the list
-    /// cannot be written, it stays unchanged, and a later run of the scene may replace fewer files.
-    fn update_store(&self, change: impl FnOnce(&mut BTreeMap<PathBuf, Option<Fingerprint>>)) -> Option<()> {
+    /// Changes the list of the scene's files. Programs that run at the same time wait for each other. An unreadable
+    /// list counts as empty, and is replaced. `None` if the list cannot be written: it stays unchanged, and a later
+    /// run of the scene may replace fewer files.
+    fn try_update_own_files(&self, change: impl FnOnce(&mut OwnFiles)) -> Option<()> {
         let store = self.store.as_ref()?;
         std::fs::create_dir_all(store.parent()?).ok()?;
         let lock = File::create(store.with_extension("lock")).ok()?;
@@ -66,7 +71,7 @@ impl CreatedFiles for CreatedByScene {
     fn add(&self, path: &Path) {
         if !self.session.contains(path) {
             self.session.add(path);
-            self.update_store(|files| _ = files.insert(path.to_path_buf(), None));
+            self.try_update_own_files(|files| _ = files.insert(path.to_path_buf(), None));
         }
     }
 
@@ -83,7 +88,9 @@ impl Drop for CreatedByScene {
     fn drop(&mut self) {
         let created = self.session.paths();
         if !created.is_empty() {
-            self.update_store(|files| files.extend(created.into_iter().map(|path| (path.clone(), fingerprint(&path)))));
+            self.try_update_own_files(|files| {
+                files.extend(created.into_iter().map(|path| (path.clone(), fingerprint(&path))))
+            });
         }
     }
 }

@@ -1,14 +1,14 @@
 //! Messages to the user: code, place, reason and help.
 
-mod cause;
 pub mod codes;
 #[cfg(feature = "cli")]
 pub mod draw;
 pub mod file;
+mod missing_names;
 mod suggest;
 
-pub use cause::{Cause, Remedy};
 pub use codes::Code;
+pub use missing_names::{MissingNames, Remedy};
 pub use suggest::{did_you_mean, nearest};
 
 use crate::source::{Sources, Span};
@@ -56,8 +56,9 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// Call frames of the fault, innermost first: "in macro `M`, called here", "included from here".
     pub trace: Box<[Label]>,
-    /// Cause of the message, if other messages may have the same. Messages of one cause are merged.
-    pub cause: Option<Box<Cause>>,
+    /// Missing names that cause the message; `None` for a message with another cause. Messages about the same missing
+    /// names are merged.
+    pub missing_names: Option<Box<MissingNames>>,
 }
 
 /// An error that functions return; boxed so that the success path is fast.
@@ -71,7 +72,7 @@ impl Diagnostic {
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
         let (message, help, trace) = (message.into(), None, Box::default());
-        Self { code, severity: code.severity(), message, labels, help, trace, cause: None }
+        Self { code, severity: code.severity(), message, labels, help, trace, missing_names: None }
     }
 
     /// Creates a diagnostic and returns it as an `Err`.
@@ -104,9 +105,9 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the cause of the diagnostic.
-    pub fn because(mut self, cause: Cause) -> Self {
-        self.cause = Some(Box::new(cause));
+    /// Sets the missing names that cause the diagnostic; messages about the same names are merged.
+    pub fn with_missing_names(mut self, names: MissingNames) -> Self {
+        self.missing_names = Some(Box::new(names));
         self
     }
 

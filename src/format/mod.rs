@@ -40,19 +40,19 @@ const STEP: usize = 2;
 const MAX_PASSES: usize = 8;
 
 /// Formats a text. New lines end with `\n`. Lines have at most `width` characters where they can be broken.
-/// `global_start` is the global offset of the text's first byte, for messages.
+/// `base_in_sources` is the global offset of the text's first byte, from which the spans of messages count.
 ///
 /// # Errors
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest
 /// too deeply.
-pub fn format(text: &str, global_start: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-    let Pass { text: mut formatted, has_stray_token } = format_once(text, global_start, width)?;
+pub fn format(text: &str, base_in_sources: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
+    let Pass { text: mut formatted, has_stray_token } = format_once(text, base_in_sources, width)?;
     if !has_stray_token {
         return Ok(formatted);
     }
     // Where brackets have no partner, a line that was broken may have another structure when it is parsed again.
     for _ in 1..MAX_PASSES {
-        let next = format_once(&formatted, global_start, width)?.text;
+        let next = format_once(&formatted, base_in_sources, width)?.text;
         if next == formatted {
             return Ok(formatted);
         }
@@ -69,12 +69,12 @@ struct Pass {
     has_stray_token: bool,
 }
 
-fn format_once(text: &str, global_start: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
-    let (ast, faults) = parse_text(text, global_start, &Names::default(), Granularity::Whole);
+fn format_once(text: &str, base_in_sources: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
+    let (ast, faults) = parse_text(text, base_in_sources, &Names::default(), Granularity::Whole);
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }
-    let atoms = gather::gather(text, global_start, &ast);
+    let atoms = gather::gather(text, base_in_sources, &ast);
     drop(ast);
     Ok(Pass { text: layout::lay_out(text, &atoms, width), has_stray_token: atoms.has_stray_token() })
 }

@@ -29,8 +29,8 @@ impl Encoded {
     ///
     /// # Errors
     /// Those of [`format()`].
-    pub fn formatted(&self, global_start: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-        Ok(replace_lone_line_feeds(&format(&self.text, global_start, width)?, line_end(&self.text)))
+    pub fn formatted(&self, base_in_sources: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
+        Ok(replace_lone_line_feeds(&format(&self.text, base_in_sources, width)?, line_end(&self.text)))
     }
 
     /// Encodes `text` as the original file was encoded.

@@ -59,7 +59,7 @@ fn convert(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformati
     let help = d.help.as_ref().map(|help| format!("help: {help}"));
     let message =
         [Some(d.message.clone()), label.map(String::from), help].into_iter().flatten().collect::<Vec<_>>().join("\n");
-    let include = d.cause.as_ref().and_then(|cause| match cause.remedy {
+    let include = d.missing_names.as_ref().and_then(|names| match names.remedy {
         Remedy::Include(file) => Some(file),
         Remedy::Declare => None,
     });

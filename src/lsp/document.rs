@@ -11,7 +11,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Global offset of a text's first byte; 0 would mean no position.
+/// Global offset of a document's first byte, as of the only text in `Sources`; 0 would mean no position.
 pub const BASE: usize = 1;
 /// Largest length of a text that the language server checks, in bytes.
 pub const MAX_TEXT: usize = 2 << 20;

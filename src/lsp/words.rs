@@ -66,7 +66,7 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
     out
 }
 
-/// Returns the description of a kind of value, such as "a number".
+/// Returns the description of a kind of value for completion and hover, such as "a number".
 pub fn kind_description(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "nothing",

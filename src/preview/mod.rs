@@ -40,7 +40,7 @@ pub trait Backend: Send + Sync {
 
 /// Settings of the picture on the preview page.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Settings {
+pub struct PageSettings {
     /// Factor by which the preview's picture is scaled.
     pub scale: f64,
     /// True if the preview anti-aliases its picture.
@@ -53,7 +53,7 @@ pub struct Settings {
     pub zoom: Option<[f64; 4]>,
 }
 
-/// A change of [`Settings`]; absent fields stay the same.
+/// A change of [`PageSettings`]; absent fields stay the same.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Change {
@@ -74,7 +74,7 @@ impl Change {
     }
 }
 
-impl Settings {
+impl PageSettings {
     /// Applies a change to the preview's settings; values out of range are ignored or limited.
     pub fn apply(&mut self, change: &Change) {
         if let Some(scale) = change.scale.filter(|scale| (0.05..=8.0).contains(scale)) {
@@ -116,8 +116,8 @@ pub struct PageState {
     /// State of the page: `reading`, `drawing`, `done` or `broken`; a broken scene leaves the previous picture on the
     /// page.
     pub status: &'static str,
-    /// Settings of the previewed picture.
-    pub settings: Settings,
+    /// Settings of the page for the previewed picture.
+    pub settings: PageSettings,
     /// Width and height of the previewed picture at scale 1.
     pub size: [usize; 2],
     /// Present, first and last value of `clock` on the page.
@@ -166,15 +166,15 @@ mod tests {
 
     #[test]
     fn settings_take_valid_changes_only() {
-        let old = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
+        let old = PageSettings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
         let after = |json: &str| {
             let mut new = old.clone();
             new.apply(&serde_json::from_str(json).unwrap());
             new
         };
         assert_eq!(after("{}"), old);
-        assert_eq!(after(r#"{"scale": 0.5, "quality": 200}"#), Settings { scale: 0.5, quality: 11, ..old.clone() });
-        assert_eq!(after(r#"{"scale": 1e9, "clock": 0.25}"#), Settings { clock: Some(0.25), ..old.clone() });
+        assert_eq!(after(r#"{"scale": 0.5, "quality": 200}"#), PageSettings { scale: 0.5, quality: 11, ..old.clone() });
+        assert_eq!(after(r#"{"scale": 1e9, "clock": 0.25}"#), PageSettings { clock: Some(0.25), ..old.clone() });
         assert_eq!(after(r#"{"zoom": [0.5, 0, 0.5, 0.5]}"#).zoom, Some([0.5, 0.0, 0.5, 0.5]));
         for none in ["[]", "[0, 0, 0, 1]", "[0.6, 0, 0.5, 0.5]", "[-1, 0, 0.5, 0.5]", "[0, 0, 1]"] {
             assert_eq!(after(&format!(r#"{{"zoom": {none}}}"#)).zoom, None, "{none}");

@@ -57,7 +57,7 @@ pub struct Radiosity {
     pub pretrace_end: f64,
     /// Maximum number of diffuse bounces.
     pub recursion_limit: u32,
-    /// True if rays that gather light show subsurface light transport.
+    /// True for `radiosity { subsurface on }`: rays that gather light show subsurface light transport.
     pub subsurface: bool,
     /// True if `finish { ambient }` has an effect beside radiosity, as in scenes for versions before 3.7.
     pub keeps_ambient: bool,

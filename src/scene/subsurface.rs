@@ -17,7 +17,7 @@ pub struct SubsurfaceSettings {
     pub diffuse_samples: u32,
     /// Number of points below the surface that scatter light once towards each visible point.
     pub single_samples: u32,
-    /// True if light that radiosity gathers enters solids, too.
+    /// True for `subsurface { radiosity on }`: light that radiosity gathers enters solids, too.
     pub radiosity: bool,
 }
 

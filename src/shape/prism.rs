@@ -32,9 +32,9 @@ pub struct Prism {
     pub interpolation: Interpolation,
     /// True if the prism's outline grows with y from an apex at the origin.
     pub conic: bool,
-    /// The y coordinate of the prism's lower end.
+    /// The y coordinate of the prism's lower end: the lesser of its two heights.
     pub bottom: f64,
-    /// The y coordinate of the prism's upper end.
+    /// The y coordinate of the prism's upper end: the greater of its two heights.
     pub top: f64,
     /// Outlines of the prism, as x and z.
     pub outlines: Curve,

@@ -125,7 +125,8 @@ pub fn is_font_file_name(path: &Path) -> bool {
     ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e))
 }
 
-/// Ranks how much a font file differs from the wanted style, the most important criterion first.
+/// Returns a key that sorts font files by their difference from the wanted style: unsuitable fonts last, then by
+/// family, bold, italic, place in the list of preferred fonts, and name.
 fn style_difference_key(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let (style, plain) = (Style::of_font_name(&name), lowercase_letters_of_stem(&name));

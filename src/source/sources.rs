@@ -113,7 +113,7 @@ impl Sources {
         self.texts.get(id.0 as usize).and_then(|f| f.path.as_deref())
     }
 
-    /// Returns the global offset of a text's first byte.
+    /// Returns the global offset of a text's first byte: its position among the bytes of all texts.
     pub fn base(&self, id: FileId) -> usize {
         self.texts.get(id.0 as usize).map_or(0, |f| f.base)
     }

@@ -5,16 +5,16 @@ use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Span;
 
 /// Returns the error for text that fits no rule of the grammar from the offset `at` on.
-pub fn syntax_error_at(text: &str, at: usize, base: usize) -> Diagnostic {
-    if let Some(d) = unparenthesized_condition_error(text, at, base) {
+pub fn syntax_error_at(text: &str, at: usize, base_in_sources: usize) -> Diagnostic {
+    if let Some(d) = unparenthesized_condition_error(text, at, base_in_sources) {
         return d;
     }
-    if let Some(d) = missing_name_or_equals_error(text, at, base) {
+    if let Some(d) = missing_name_or_equals_error(text, at, base_in_sources) {
         return d;
     }
     let d = Diagnostic::new(
         codes::SYNTAX,
-        token_span(text, at, base),
+        token_span(text, at, base_in_sources),
         format!("{} is not allowed here", describe_text_at(text, at)),
     );
     if let Some(help) = help_for(text, at, token_at(text, at)) {
@@ -23,11 +23,14 @@ pub fn syntax_error_at(text: &str, at: usize, base: usize) -> Diagnostic {
     match open_vector_start(text, at) {
         Some(opener) if follows_operand(text, opener) => {
             let message = "`<` opens a vector here, and it has no end";
-            Diagnostic::new(codes::SYNTAX, Span::new(base + opener, base + opener + 1), message)
+            Diagnostic::new(codes::SYNTAX, Span::new(base_in_sources + opener, base_in_sources + opener + 1), message)
                 .help("comparisons need parentheses around them: `(A < B)`")
         }
         Some(opener) => d
-            .also(Span::new(base + opener, base + opener + 1), "the vector that begins here is not closed")
+            .also(
+                Span::new(base_in_sources + opener, base_in_sources + opener + 1),
+                "the vector that begins here is not closed",
+            )
             .help("a vector ends with `>`; comparisons need parentheses around them"),
         None => d,
     }
@@ -61,8 +64,8 @@ fn describe_text_at(text: &str, at: usize) -> String {
     }
 }
 
-fn token_span(text: &str, at: usize, base: usize) -> Span {
-    Span::new(base + at, base + at + token_at(text, at).len())
+fn token_span(text: &str, at: usize, base_in_sources: usize) -> Span {
+    Span::new(base_in_sources + at, base_in_sources + at + token_at(text, at).len())
 }
 
 /// True if the text before the offset `at` could be the left side of a comparison.
@@ -75,9 +78,9 @@ fn follows_operand(text: &str, at: usize) -> bool {
 }
 
 /// Returns the error for a missing name or `=`, as in `#declare A 5`, `#declare = 5` and `#macro (A)`.
-fn missing_name_or_equals_error(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
+fn missing_name_or_equals_error(text: &str, at: usize, base_in_sources: usize) -> Option<Diagnostic> {
     let before = text[..at].trim_end();
-    let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
+    let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base_in_sources), message);
     let found = describe_text_at(text, at);
     if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = directive_name_at_end(before) {
         let d = fault(format!("expected a name after `#{directive}`, found {found}"));
@@ -99,7 +102,7 @@ fn directive_name_at_end(text: &str) -> Option<&str> {
 }
 
 /// Returns the error for a condition without parentheses, as in `#if A = 1`.
-fn unparenthesized_condition_error(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
+fn unparenthesized_condition_error(text: &str, at: usize, base_in_sources: usize) -> Option<Diagnostic> {
     let directive = text[at..].strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let word = token_at(directive, 0);
     let form = match word {
@@ -114,13 +117,13 @@ fn unparenthesized_condition_error(text: &str, at: usize, base: usize) -> Option
     let next = text.len() - rest.trim_start().len();
     if text[next..].starts_with('(') {
         let message = format!("the `(` of this `#{word}` is not closed");
-        let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
-        let d = d.also(Span::new(base + next, base + next + 1), "this one");
+        let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base_in_sources), message);
+        let d = d.also(Span::new(base_in_sources + next, base_in_sources + next + 1), "this one");
         return (!first_parenthesis_is_closed(&text[next..]))
             .then(|| d.help(format!("it is written `#{word} ({form}) …`")));
     }
     let message = format!("expected `(` after `#{word}`, found {}", describe_text_at(text, next));
-    let span = token_span(text, next, base);
+    let span = token_span(text, next, base_in_sources);
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
 }
 

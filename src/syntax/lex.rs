@@ -45,13 +45,13 @@ pub(super) struct Lexed {
     pub(super) faults: Vec<Diagnostic>,
 }
 
-/// Splits `text`, whose first byte has the global offset `base`, into tokens. Without `merges_lists`, each number and each
-/// sign is a token by itself.
-pub(super) fn lex(text: &str, base: usize, names: &Names, merges_lists: bool) -> Lexed {
+/// Splits `text`, whose first byte has the global offset `base_in_sources`, into tokens. Without `merges_lists`, each
+/// number and each sign is a token by itself.
+pub(super) fn lex(text: &str, base_in_sources: usize, names: &Names, merges_lists: bool) -> Lexed {
     let mut lexer = Lexer {
         text,
         bytes: text.as_bytes(),
-        base,
+        base_in_sources,
         at: 0,
         names,
         out: Lexed::default(),
@@ -69,7 +69,7 @@ const MAX_FAULTS: usize = 20;
 struct Lexer<'t> {
     text: &'t str,
     bytes: &'t [u8],
-    base: usize,
+    base_in_sources: usize,
     at: usize,
     names: &'t Names,
     out: Lexed,
@@ -439,7 +439,7 @@ impl Lexer<'_> {
     }
 
     fn span(&self, lo: usize, hi: usize) -> Span {
-        Span::new(self.base + lo, self.base + hi)
+        Span::new(self.base_in_sources + lo, self.base_in_sources + hi)
     }
 
     fn fault(&mut self, code: Code, lo: usize, hi: usize, message: String, help: Option<&str>) {

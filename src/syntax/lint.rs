@@ -24,10 +24,10 @@ pub struct Lints {
 /// for the names that they declare and use.
 pub fn lint_scene(sources: &Sources, scene_and_includes: &[FileId], lints: Lints) -> Vec<Diagnostic> {
     let outline = |(i, &file): (usize, &FileId)| {
-        let (text, base) = (sources.text(file), sources.base(file));
+        let (text, base_in_sources) = (sources.text(file), sources.base(file));
         // Rules about commas need each number of the scene's own file as a token.
         let lists = i > 0 || !lints.portable;
-        Outline::new(text, &Tokens::new(lex(text, base, &Names::default(), lists), base))
+        Outline::new(text, &Tokens::new(lex(text, base_in_sources, &Names::default(), lists), base_in_sources))
     };
     let outlines: Vec<Outline> = scene_and_includes.iter().enumerate().map(outline).collect();
     let Some(own) = outlines.first() else { return vec![] };

@@ -25,7 +25,7 @@ const MAX_FAULTS: usize = 20;
 pub(super) struct Source<'t> {
     pub(super) text: &'t str,
     /// Global offset of the text's first byte.
-    pub(super) base: usize,
+    pub(super) base_in_sources: usize,
     pub(super) names: &'t Names,
     /// True if each token is an element of its own.
     pub(super) single: bool,
@@ -47,19 +47,24 @@ pub fn parse(sources: &Sources, file: FileId, names: &Names, granularity: Granul
     parse_text(sources.text(file), sources.base(file), names, granularity)
 }
 
-/// Parses a text whose first byte has the global offset `base`: a file, or a part of one between two positions where no
-/// bracket and no directive is open.
-pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
+/// Parses a text whose first byte has the global offset `base_in_sources`: a file, or a part of one between two
+/// positions where no bracket and no directive is open.
+pub fn parse_text(
+    text: &str,
+    base_in_sources: usize,
+    names: &Names,
+    granularity: Granularity,
+) -> (Ast, Vec<Diagnostic>) {
     let single = granularity == Granularity::Tokens;
-    let lexed = lex(text, base, names, !single);
+    let lexed = lex(text, base_in_sources, names, !single);
     let span = |token: &u32| {
         let token = lexed.tokens[*token as usize];
-        Span::new(base + token.start as usize, base + token.end as usize)
+        Span::new(base_in_sources + token.start as usize, base_in_sources + token.end as usize)
     };
     let unclosed = lexed.unclosed.iter().map(span).collect();
     let (mut elements, mut piece_faults) = (vec![], vec![]);
     // pest must not follow a nesting that is too deep.
-    let source = Source { text, base, names, single };
+    let source = Source { text, base_in_sources, names, single };
     let too_deep = lexed.faults.iter().any(|fault| fault.code == codes::TOO_DEEP);
     let mut start = 0;
     for (i, &cut) in lexed.cuts.iter().enumerate() {
@@ -72,21 +77,22 @@ pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granulari
         }
         start = cut;
     }
-    let (tokens, mut faults) = tokens_and_faults(lexed, text, base);
+    let (tokens, mut faults) = tokens_and_faults(lexed, text, base_in_sources);
     faults.extend(piece_faults);
     (Ast { elements, tokens, unclosed }, faults)
 }
 
 /// Splits a text into tokens and returns them with the faults that [`parse_text`] would find, without building a tree.
-pub fn tokens_of(text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
-    tokens_and_faults(lex(text, base, &Names::default(), true), text, base)
+/// The text's first byte has the global offset `base_in_sources`.
+pub fn tokens_of(text: &str, base_in_sources: usize) -> (Tokens, Vec<Diagnostic>) {
+    tokens_and_faults(lex(text, base_in_sources, &Names::default(), true), text, base_in_sources)
 }
 
 /// Returns the tokens of a text and their faults, including directives without `#end`.
-fn tokens_and_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
+fn tokens_and_faults(mut lexed: Lexed, text: &str, base_in_sources: usize) -> (Tokens, Vec<Diagnostic>) {
     let mut faults = std::mem::take(&mut lexed.faults);
     let unended = lexed.unended;
-    let tokens = Tokens::new(lexed, base);
+    let tokens = Tokens::new(lexed, base_in_sources);
     if unended > 0 && faults.len() < MAX_FAULTS {
         faults.extend(blame::unclosed_directive_errors(&Outline::new(text, &tokens)));
     }
@@ -101,7 +107,7 @@ fn parse_piece(
     token_range: Range<usize>,
     out: &mut Vec<Element>,
 ) -> Result<(), Box<Diagnostic>> {
-    let &Source { text, base, .. } = source;
+    let &Source { text, base_in_sources, .. } = source;
     // The classes are ASCII, so this check is quick.
     let piece = std::str::from_utf8(&lexed.classes[token_range.clone()]).unwrap_or("");
     match SceneParser::parse(Rule::chunk, piece) {
@@ -121,7 +127,7 @@ fn parse_piece(
             let found = &text[lo..hi];
             Err(Box::new(Diagnostic::new(
                 codes::SYNTAX,
-                Span::new(base + lo, base + hi),
+                Span::new(base_in_sources + lo, base_in_sources + hi),
                 format!("`{found}` is not allowed here"),
             )))
         }

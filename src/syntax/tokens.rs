@@ -13,7 +13,7 @@ pub struct Tokens {
     /// Ranges of comments, with their delimiters, ascending.
     pub(super) comments: Vec<(u32, u32)>,
     /// Global offset of the first byte of the file.
-    pub(super) base: usize,
+    pub(super) base_in_sources: usize,
 }
 
 /// Piece of a source text: a token or a comment.
@@ -35,8 +35,8 @@ impl Piece {
 }
 
 impl Tokens {
-    pub(super) fn new(lexed: Lexed, base: usize) -> Self {
-        Self { tokens: lexed.tokens, classes: lexed.classes, comments: lexed.comments, base }
+    pub(super) fn new(lexed: Lexed, base_in_sources: usize) -> Self {
+        Self { tokens: lexed.tokens, classes: lexed.classes, comments: lexed.comments, base_in_sources }
     }
 
     /// Returns the number of tokens in the text.
@@ -51,7 +51,7 @@ impl Tokens {
 
     /// Returns the tokens and comments in the order of the text, without blanks and characters without meaning.
     pub fn tokens_and_comments(&self) -> impl Iterator<Item = Piece> + '_ {
-        let span = |lo: u32, hi: u32| Span::new(self.base + lo as usize, self.base + hi as usize);
+        let span = |lo: u32, hi: u32| Span::new(self.base_in_sources + lo as usize, self.base_in_sources + hi as usize);
         let token = move |t: &Token| Piece::Token(span(t.start, t.end));
         let comment = move |&(lo, hi): &(u32, u32)| Piece::Comment(span(lo, hi));
         let (mut tokens, mut comments) = (self.tokens.iter().peekable(), self.comments.iter().peekable());

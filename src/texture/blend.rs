@@ -168,7 +168,7 @@ impl<T> Blend<T> {
         match self {
             Blend::Map(map) if averages_all => map.entries_weighted_by_numbers(),
             Blend::Map(map) => map.weighted_entries(number),
-            Blend::List(list) => weighted_list_values(list, number),
+            Blend::List(list) => weighted_list_neighbors(list, number),
         }
     }
 
@@ -224,10 +224,11 @@ impl<T> Blend<T> {
     }
 }
 
-/// Returns the values of a list at a pattern's number, as of a map with its entries at whole numbers: a `frequency`
-/// gives numbers between them.
-fn weighted_list_values<T>(list: &[T], number: f64) -> Shares<'_, T> {
-    let (i, t) = (number as usize, number.fract());
+/// Returns the entries of a list on both sides of a position, with weights that blend them linearly; a single entry at
+/// a whole number, beyond the end the last one, and none for an empty list. The position is a pattern's number, which
+/// has a fraction after a `frequency`.
+fn weighted_list_neighbors<T>(list: &[T], position: f64) -> Shares<'_, T> {
+    let (i, t) = (position as usize, position.fract());
     let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i.saturating_add(1)).or(list.last()))
     else {
         return SmallVec::new();

@@ -117,12 +117,12 @@ impl ImageMap {
     pub fn is_opaque(&self) -> bool {
         let none = |amount: Option<f64>| amount.is_none_or(|x| x == 0.0);
         let solid = none(self.clearness.filter) && none(self.clearness.transmit) && self.clearness.palette.is_empty();
-        solid && !self.mapping.once && !self.is_clear_somewhere()
+        solid && !self.mapping.once && !self.has_alpha_below_one()
     }
 
-    /// True if some pixel of the `image_map` is transparent. An alpha channel that is 1 everywhere does not count
-    /// (quirk: `image_alpha_of_one`).
-    fn is_clear_somewhere(&self) -> bool {
+    /// True if the alpha channel of the `image_map`'s picture is below 1 at some pixel (quirk: `image_alpha_of_one`).
+    /// The words `filter` and `transmit` of the `image_map` do not count.
+    fn has_alpha_below_one(&self) -> bool {
         let pixels = self.texels.width() * self.texels.height();
         self.texels.has_alpha() && (0..pixels).any(|i| self.texels.rgba(i)[3] < 1.0)
     }

@@ -82,7 +82,7 @@ impl Normal {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
         };
-        let mut out = begun.wrap_uv_mapping();
+        let mut out = begun.wrap_if_uv_mapped();
         if let Some(on) = uv {
             (out.pattern.uv, out.stays) = (on, out.stays || on);
         }
@@ -92,13 +92,14 @@ impl Normal {
                 next => out.read_element(r, next, defaults)?,
             }
         }
-        out = out.unwrap_uv_mapping();
+        out = out.unwrap_if_still_wrapped();
         out.pattern.separate_uv_space();
         Ok(out)
     }
 
-    /// Wraps a normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
-    fn wrap_uv_mapping(mut self) -> Self {
+    /// Wraps a normal that was mapped by uv, as the only entry of a map with the pattern `Surface`; returns any other
+    /// normal unchanged.
+    fn wrap_if_uv_mapped(mut self) -> Self {
         match self.pattern.take_space_outside_uv() {
             Some(pattern) => Self {
                 pattern,
@@ -109,9 +110,9 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::wrap_uv_mapping`] for a normal if no other pattern or map was named. (Other parameters of the
+    /// Undoes [`Self::wrap_if_uv_mapped`] for a normal if no other pattern or map was named. (Other parameters of the
     /// surface have no effect.)
-    fn unwrap_uv_mapping(self) -> Self {
+    fn unwrap_if_still_wrapped(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();

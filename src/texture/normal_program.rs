@@ -55,7 +55,7 @@ const TETRAHEDRON: [DVec3; 4] = [
 ];
 
 impl NormalProgram {
-    /// Lowers a texture's normal to the form that is evaluated.
+    /// Lowers a texture's normal, and those in its map or list, to the form that is evaluated.
     pub fn new(normal: &Normal) -> Self {
         let relief = match &normal.relief {
             Relief::Own => ReliefProgram::Own,
@@ -74,8 +74,9 @@ impl NormalProgram {
         self.perturb_keeping_length_if(ctx, n, !self.bump_scale)
     }
 
-    /// True for `no_bump_scale`: the perturbed normal has a length of its own.
-    pub fn keeps_perturbed_length(&self) -> bool {
+    /// True if the result of [`Self::perturb`] must not be normalised: for `no_bump_scale`, except in a block with a
+    /// `normal_map` or a list of normals.
+    pub fn forbids_normalization(&self) -> bool {
         !self.bump_scale && !matches!(self.relief, ReliefProgram::Normals(_))
     }
 

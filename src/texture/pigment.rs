@@ -65,7 +65,7 @@ impl Pigment {
         let uv = read_uv_mapping(r)?;
         let declared = r.thing::<Pigment>()?;
         let mut after_name = declared.is_some();
-        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone()).wrap_uv_mapping();
+        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone()).wrap_if_uv_mapped();
         if let Some(on) = uv {
             pigment.pattern.uv = on;
         }
@@ -82,7 +82,7 @@ impl Pigment {
             // `uv_mapping` too (quirk: uv_mapping_pigments).
             pigment.quick_color = base.quick_color.clone();
         }
-        pigment = pigment.unwrap_uv_mapping();
+        pigment = pigment.unwrap_if_still_wrapped();
         pigment.set_default_colors();
         // (A default pattern takes no memory.)
         if pigment.pattern.uv {
@@ -91,9 +91,10 @@ impl Pigment {
         Ok(pigment)
     }
 
-    /// Wraps a pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`. Its quick colour
-    /// belongs to the entry, and is lost with it (quirk: `uv_mapping_pigments`).
-    fn wrap_uv_mapping(mut self) -> Self {
+    /// Wraps a pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`; returns any other
+    /// pigment unchanged. The quick colour of a wrapped pigment belongs to the entry, and is lost with it (quirk:
+    /// `uv_mapping_pigments`).
+    fn wrap_if_uv_mapped(mut self) -> Self {
         if self.pattern.around.is_none() {
             return self;
         }
@@ -106,8 +107,8 @@ impl Pigment {
         }
     }
 
-    /// Undoes [`Self::wrap_uv_mapping`] for a pigment if no other pattern or map was named.
-    fn unwrap_uv_mapping(self) -> Self {
+    /// Undoes [`Self::wrap_if_uv_mapped`] for a pigment if no other pattern or map was named.
+    fn unwrap_if_still_wrapped(self) -> Self {
         match &self.paint {
             Paint::Pigments(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();

@@ -105,9 +105,10 @@ impl PigmentProgram {
         self.pattern_if_black_outside()?.known_support_on_ray(ray)
     }
 
-    /// True if the pigment is certainly black everywhere in the box with these corners, in the outer space.
-    pub fn is_black_between(&self, corners: [DVec3; 8]) -> bool {
-        self.pattern_if_black_outside().is_some_and(|pattern| pattern.is_outside_support(corners))
+    /// True if the pigment is certainly black everywhere in the parallelepiped with these eight corners, in the outer
+    /// space; its edges need not be parallel to the axes.
+    pub fn is_black_in_hull_of(&self, corners: [DVec3; 8]) -> bool {
+        self.pattern_if_black_outside().is_some_and(|pattern| pattern.is_hull_outside_support(corners))
     }
 
     /// Returns the pigment's pattern if the pigment is black outside of the pattern's support.

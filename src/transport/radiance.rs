@@ -34,11 +34,12 @@ impl<'w> Tracer<'w> {
     pub fn camera_radiance(&mut self, ray: Ray) -> Radiance {
         self.counts.camera += 1;
         let inside = self.context.interiors_at(ray.origin);
-        self.radiance(RayState::camera(ray, inside))
+        self.radiance_times_throughput(RayState::camera(ray, inside))
     }
 
-    /// Returns the radiance along a ray: traces the ray and all rays that it spawns, the last spawned first.
-    pub(super) fn radiance(&mut self, mut state: RayState) -> Radiance {
+    /// Returns the radiance along a ray times the throughput of `state`, and the transparency times that of `state`:
+    /// traces the ray and all rays that it spawns, the last spawned first.
+    pub(super) fn radiance_times_throughput(&mut self, mut state: RayState) -> Radiance {
         let mut sum = Radiance::ZERO;
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();

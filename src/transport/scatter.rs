@@ -145,7 +145,7 @@ impl Tracer<'_> {
                 self.queue.push(reflected);
             } else {
                 reflected.throughput = Rgb::ONE;
-                let light = self.radiance(reflected).rgb;
+                let light = self.radiance_times_throughput(reflected).rgb;
                 sum.rgb += state.throughput * reflectance(light);
             }
         }

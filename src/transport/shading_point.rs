@@ -270,7 +270,7 @@ impl Bumped {
         let outer = frame.map_or(inner, |frame| frame.normal_from_innermost(inner));
         let lit = place.map_or(outer, |m| m.transform_normal(outer));
         let seen = if within { inner } else { lit };
-        let seen = if bumps.keeps_perturbed_length() { seen } else { seen.normalize_or(seen) };
+        let seen = if bumps.forbids_normalization() { seen } else { seen.normalize_or(seen) };
         match seen.is_finite() {
             true => Self { lit: lit.normalize_or(normal), seen, weight: Rgb::ONE },
             false => Self { lit: normal, seen: normal, weight: Rgb::NAN },

@@ -155,8 +155,8 @@ pub trait Reader {
     fn language(&self) -> Language;
     /// Reads the next token with its contents, without effect. Directives run and values are evaluated.
     fn skip_item(&mut self) -> Result<()>;
-    /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
-    /// read it. `at` is the span of the name.
+    /// Finds a file in the folders that a scene searches. Returns `None` without a message if the file does not exist,
+    /// and an error if the scene may not read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// Returns the file storage that the scene may read.
     fn files(&self) -> &dyn Files;

@@ -14,7 +14,7 @@ const MAX_HALF_SPACES: usize = 64;
 const START_EXTENT_FACTOR: f64 = 1e4;
 /// Half-width of the start box above which [`clip_box`] returns its argument unclipped.
 const MAX_START_EXTENT: f64 = 1e100;
-/// Distance by which each half-space is moved outwards, relative to the box's largest coordinate.
+/// Distance by which each half-space that clips a box is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
 
 /// Rounding error of the height above a half-space, relative to the coordinates, with a reserve.

@@ -79,7 +79,7 @@ impl Medium {
     /// True if the density is certainly 0 everywhere in a box in world space.
     pub fn is_empty_in(&self, bounds: &Aabb) -> bool {
         let corners = bounds.corners().map(|p| self.place.as_ref().map_or(p, |place| place.inverse_transform_point(p)));
-        bounds.is_finite() && self.densities.iter().any(|density| density.is_black_between(corners))
+        bounds.is_finite() && self.densities.iter().any(|density| density.is_black_in_hull_of(corners))
     }
 
     /// Returns distances along a ray in world space outside of which the density is 0; they are infinite where none are

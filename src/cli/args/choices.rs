@@ -13,7 +13,7 @@ pub enum When {
     Never,
 }
 
-/// Display of a render's progress.
+/// Value of `--progress`: the display of a render's progress.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProgressDisplay {
     /// A bar on a terminal; for a shard elsewhere, lines
@@ -86,7 +86,7 @@ pub enum Library {
     Durer,
 }
 
-/// Stage that `--dump` prints.
+/// Value of `--dump`: the stage that is printed.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dump {
     /// The scene after its script has run, in the author's terms
@@ -115,14 +115,14 @@ pub enum CheckFormat {
     Json,
 }
 
-/// Messages that `--deny` turns into errors.
+/// Value of `--deny`: the class of messages that become errors.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deny {
     /// All warnings
     Warnings,
 }
 
-/// Warnings that `--warn` enables.
+/// Value of `--warn` of `durer check`: a class of warnings that is enabled.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warn {
     /// Identifiers that are declared and never used
@@ -137,7 +137,7 @@ pub enum Warn {
     Doubtful,
 }
 
-/// Warnings that `--warn` enables while rendering.
+/// Value of `--warn` of `durer render`: a class of warnings that is enabled.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawingWarn {
     /// Options of POV-Ray without effect in durer

@@ -12,6 +12,7 @@ fn work(options: &str) -> Work {
     }
 }
 
+/// Returns a tile at column `x`, of the first pass for an even column, else of the second.
 fn tile(x: usize) -> Tile {
     Tile { pass: (x % 2) as u8, area: Region { x, y: 3, width: 2, height: 1 } }
 }

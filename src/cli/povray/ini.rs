@@ -34,9 +34,10 @@ pub struct Ini {
     pub faults: Vec<Diagnostic>,
 }
 
-/// Parses an INI file at the global byte offset `global_offset`: the part before the first label, and the part `section`.
-pub fn parse(text: &str, global_offset: usize, section: Option<&str>) -> Ini {
-    let mut reader = Reader { text, base: global_offset, out: Ini::default() };
+/// Parses an INI file whose first byte has the global offset `base_in_sources`: the part before the first label, and
+/// the part `section`.
+pub fn parse(text: &str, base_in_sources: usize, section: Option<&str>) -> Ini {
+    let mut reader = Reader { text, base_in_sources, out: Ini::default() };
     let mut wanted = true;
     let mut labels = Vec::new();
     let mut found = false;
@@ -63,7 +64,7 @@ pub fn parse(text: &str, global_offset: usize, section: Option<&str>) -> Ini {
         let list: Vec<_> = labels.iter().map(|label| format!("`[{label}]`")).collect();
         let all = (!list.is_empty()).then(|| format!("the file has {}", list.join(", ")));
         let help = did_you_mean(section.trim(), labels.iter().copied()).or(all);
-        let start = Span::new(global_offset, global_offset);
+        let start = Span::new(base_in_sources, base_in_sources);
         reader.out.faults.push(Diagnostic::new(codes::INI_SECTION, start, message).maybe_help(help));
     }
     reader.out
@@ -89,13 +90,13 @@ fn line_ranges(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
 
 struct Reader<'t> {
     text: &'t str,
-    base: usize,
+    base_in_sources: usize,
     out: Ini,
 }
 
 impl Reader<'_> {
     fn span(&self, range: &Range<usize>) -> Span {
-        Span::new(self.base + range.start, self.base + range.end)
+        Span::new(self.base_in_sources + range.start, self.base_in_sources + range.end)
     }
 
     fn trimmed(&self, range: Range<usize>) -> Range<usize> {
@@ -120,7 +121,11 @@ impl Reader<'_> {
             }
             let end = self.word_end(at, line.end);
             let range = at..end;
-            let word = Word { text: unquoted(&self.text[at..end]), span: self.span(&range), value: self.span(&range) };
+            let word = Word {
+                text: remove_all_quotes(&self.text[at..end]),
+                span: self.span(&range),
+                value: self.span(&range),
+            };
             self.out.words.push(word);
             at = end;
         }
@@ -135,8 +140,11 @@ impl Reader<'_> {
         let end = self.word_end(start, line_end);
         let value = &self.text[start..end];
         // `Declare=NAME=VALUE` needs the quotes, which distinguish a text from a number.
-        let value =
-            if self.text[name.clone()].eq_ignore_ascii_case("declare") { value.into() } else { unquoted(value) };
+        let value = if self.text[name.clone()].eq_ignore_ascii_case("declare") {
+            value.into()
+        } else {
+            remove_all_quotes(value)
+        };
         let text = format!("{}={value}", &self.text[name.clone()]);
         self.out.words.push(Word { text, span: self.span(&(name.start..end)), value: self.span(&(start..end)) });
         let rest = self.trimmed(end..line_end);
@@ -166,8 +174,9 @@ impl Reader<'_> {
     }
 }
 
-/// Removes all quotes from a POV-Ray option such as `+I"my scene.pov"`.
-fn unquoted(word: &str) -> String {
+/// Removes all quotes from a POV-Ray option, also those in the middle: `+I"my scene.pov"` becomes `+Imy scene.pov`.
+/// Quotes of the other kind inside a quotation stay.
+fn remove_all_quotes(word: &str) -> String {
     let mut quote = None;
     let mut out = String::new();
     for c in word.chars() {

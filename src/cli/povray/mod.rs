@@ -200,7 +200,7 @@ impl<'s> Translation<'s> {
 
     /// Translates a switch, a setting, an INI file or a scene.
     fn option(&mut self, text: &str, origin: Origin) {
-        let text = without_quotes(text);
+        let text = strip_outer_quotes(text);
         let switch = text.strip_prefix(['+', '-']).filter(|rest| !rest.is_empty());
         let setting =
             text.split_once('=').filter(|(name, _)| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
@@ -249,7 +249,7 @@ impl<'s> Translation<'s> {
     }
 
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
-        let value = without_quotes(value);
+        let value = strip_outer_quotes(value);
         match (row.takes, switch_value(value)) {
             (Takes::MaybeText, _) if value.is_empty() && row.has_default_text_file() => {
                 self.apply(row, text, "", true, origin)
@@ -411,7 +411,7 @@ fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static
     let fits = |row: &&Row| {
         let head =
             word.get(..row.switch.len()).filter(|head| !head.is_empty() && head.eq_ignore_ascii_case(row.switch));
-        let value = without_quotes(&word[head?.len()..]);
+        let value = strip_outer_quotes(&word[head?.len()..]);
         let number = || value.is_empty() || is_number(value);
         let fits = match row.takes {
             Takes::Nothing => value.is_empty(),
@@ -424,8 +424,8 @@ fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static
     found.max_by_key(|(row, _)| row.switch.len())
 }
 
-/// Removes the quotes around a value. As in POV-Ray, the second quote may be missing.
-fn without_quotes(value: &str) -> &str {
+/// Removes the quotes around a value, and none within it. As in POV-Ray, the closing quote may be missing.
+fn strip_outer_quotes(value: &str) -> &str {
     let mut rest = value.chars();
     match rest.next() {
         Some(quote @ ('"' | '\'')) => rest.as_str().strip_suffix(quote).unwrap_or(rest.as_str()),

@@ -258,12 +258,17 @@ impl<'a> Job<'a> {
         let (console, config) = (self.console, self.config);
         console.print_line_for_povray_clients(client_lines::RENDERING);
         let drawing = config.drawing(timing);
-        let pixels = match target.shard() {
+        let n_pixels_to_render = match target.shard() {
             Some(shard) => Layout::new(&drawing, shard.count).blocks(shard).iter().map(Region::n_pixels).sum(),
             None => drawing.rendered_region().n_pixels(),
         };
-        let progress =
-            Progress::new(config.progress, console, self.sources.name(self.file), pixels, target.shard().is_some());
+        let progress = Progress::new(
+            config.progress,
+            console,
+            self.sources.name(self.file),
+            n_pixels_to_render,
+            target.shard().is_some(),
+        );
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();
         monitor.journal = journal.cloned();
@@ -277,7 +282,7 @@ impl<'a> Job<'a> {
         monitor.light = Some(&saver);
         let partial = journal.zip(target.file()).map(|(journal, file)| {
             let (size, conversion) = ([drawing.width, drawing.height], OutputConversion::new(world, &drawing));
-            let partial = PartialPicture::new(journal, file, size, pixels, conversion);
+            let partial = PartialPicture::new(journal, file, size, n_pixels_to_render, conversion);
             StatusTask::register(move || print_message(&partial.write_and_describe()))
         });
         let rendered = self.render_and_write(target, world, timing, &monitor).map_err(|failure| {

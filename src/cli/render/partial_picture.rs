@@ -19,25 +19,25 @@ const MAX_TILE_HEIGHT: usize = 64;
 pub struct PartialPicture {
     journal: Arc<Journal>,
     path: PathBuf,
-    size: [usize; 2],
-    /// Number of pixels that the process renders.
-    n_pixels: usize,
+    picture_size: [usize; 2],
+    /// Number of pixels that the process renders: those of the region, or of the shard's blocks.
+    n_pixels_to_render: usize,
     conversion: OutputConversion,
 }
 
 impl PartialPicture {
-    /// Creates the writer for a render of `n_pixels` pixels, in a picture of `size`, whose output is the file `output`.
-    /// The partial picture is a file beside it.
+    /// Creates the writer for a render whose output is the file `output`. The process renders `n_pixels_to_render` of
+    /// the picture's pixels: a region, or the blocks of a shard. The partial picture is a file beside `output`.
     pub fn new(
         journal: &Arc<Journal>,
         output: &Path,
-        size: [usize; 2],
-        n_pixels: usize,
+        picture_size: [usize; 2],
+        n_pixels_to_render: usize,
         conversion: OutputConversion,
     ) -> Self {
         let mut path = output.as_os_str().to_os_string();
         path.push(".partial.png");
-        Self { journal: journal.clone(), path: path.into(), size, n_pixels, conversion }
+        Self { journal: journal.clone(), path: path.into(), picture_size, n_pixels_to_render, conversion }
     }
 
     /// Writes the finished tiles as a PNG file, and returns a line for people about the result.
@@ -60,7 +60,7 @@ impl PartialPicture {
         let tiles = self.journal.finished_tiles_and_offsets().map_err(unreadable)?;
         let target = Target::of_file(&self.path, Encoding { alpha: true, ..Encoding::new(Format::Png) });
         target.check_writable()?;
-        let [width, height] = self.size;
+        let [width, height] = self.picture_size;
         let mut draft = target.start_draft()?;
         let mut writer = target.writer(draft.as_mut(), (width, height))?;
         let band_height = (BAND / width.max(1)).clamp(1, MAX_TILE_HEIGHT);
@@ -71,12 +71,12 @@ impl PartialPicture {
         let unwritable = |e| Box::new(file::unwritable(&Disk, &self.path, &e));
         draft.map_or(Ok(()), |draft| draft.commit(&Disk)).map_err(unwritable)?;
         let n_finished: usize = tiles.iter().map(|(area, _)| area.width * area.height).sum();
-        Ok(n_finished as f64 / self.n_pixels.max(1) as f64)
+        Ok(n_finished as f64 / self.n_pixels_to_render.max(1) as f64)
     }
 
     /// Returns the pixels of these rows of the picture, as linear light and alpha.
     fn band(&self, tiles_and_offsets: &[(Region, u64)], rows: std::ops::Range<usize>) -> Vec<[f32; 4]> {
-        let width = self.size[0];
+        let width = self.picture_size[0];
         let mut band = vec![[0.0; 4]; width * rows.len()];
         let first = tiles_and_offsets.partition_point(|(area, _)| area.y + MAX_TILE_HEIGHT <= rows.start);
         let last = tiles_and_offsets.partition_point(|(area, _)| area.y < rows.end);

@@ -25,8 +25,8 @@ pub enum Progress {
     },
     /// Progress display for programs that start POV-Ray: a line per percent.
     PovrayLines {
-        /// Number of pixels of the picture or of its region.
-        pixels: usize,
+        /// Number of pixels that the process renders: those of the region, or of the shard's blocks.
+        n_pixels_to_render: usize,
         /// Last printed percentage. Its lock keeps the lines of several threads in ascending order.
         printed: Mutex<usize>,
     },
@@ -84,12 +84,21 @@ fn round_to_tenths(x: f64) -> f64 {
 }
 
 impl Progress {
-    /// Creates the display that `--progress` selects for a number of pixels; a bar is labelled with the scene's `name`.
-    pub fn new(display: ProgressDisplay, console: &Console, name: &str, pixels: usize, is_shard: bool) -> Self {
+    /// Creates the display that `--progress` selects for a process that renders `n_pixels_to_render` pixels; a bar is
+    /// labelled with the scene's `name`.
+    pub fn new(
+        display: ProgressDisplay,
+        console: &Console,
+        name: &str,
+        n_pixels_to_render: usize,
+        is_shard: bool,
+    ) -> Self {
         use ProgressDisplay::{Always, Auto, Json, Never, Openjd};
         match display {
             // POV-Ray prints the progress unless `-V` turns it off.
-            Always | Auto if console.has_povray_lines() => Self::PovrayLines { pixels, printed: Mutex::default() },
+            Always | Auto if console.has_povray_lines() => {
+                Self::PovrayLines { n_pixels_to_render, printed: Mutex::default() }
+            }
             Json => Self::lines(LineStyle::Json),
             Openjd => {
                 print_message(&format!("openjd_status: rendering {name}\n"));
@@ -127,12 +136,15 @@ impl Progress {
                 bar.set_length(total as u64);
                 bar.set_position(done as u64);
             }
-            Self::PovrayLines { pixels, printed } => {
+            Self::PovrayLines { n_pixels_to_render, printed } => {
                 let percent = done * 100 / total.max(1);
                 let mut printed = printed.lock().unwrap_or_else(PoisonError::into_inner);
                 if percent > *printed {
                     *printed = percent;
-                    print_message(&client_lines::progress(pixels * done / total.max(1), *pixels));
+                    print_message(&client_lines::progress(
+                        n_pixels_to_render * done / total.max(1),
+                        *n_pixels_to_render,
+                    ));
                 }
             }
             Self::Lines { style, start, printed } => {

@@ -1,7 +1,7 @@
 //! Queue of one element for the work that the page and changed files ask for.
 
 use crate::math::cancel::{CancelReason, CancelToken};
-use crate::preview::Settings;
+use crate::preview::PageSettings;
 use std::sync::{Condvar, Mutex, PoisonError};
 
 /// Part of a watched picture's work that has to be repeated.
@@ -21,7 +21,7 @@ pub struct RenderQueue {
 
 struct Pending {
     request: Option<Request>,
-    settings: Settings,
+    settings: PageSettings,
     cancel: CancelToken,
 }
 
@@ -30,14 +30,14 @@ pub struct Work {
     /// Part of the work that has to be repeated.
     pub request: Request,
     /// Settings of the page for the rendering.
-    pub settings: Settings,
+    pub settings: PageSettings,
     /// Token that is cancelled as soon as the rendering work is obsolete.
     pub cancel: CancelToken,
 }
 
 impl Default for RenderQueue {
     fn default() -> Self {
-        let settings = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
+        let settings = PageSettings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
         let pending = Pending { request: Some(Request::Scene), settings, cancel: CancelToken::default() };
         Self { pending: Mutex::new(pending), changed: Condvar::new() }
     }
@@ -45,7 +45,7 @@ impl Default for RenderQueue {
 
 impl RenderQueue {
     /// Adds a request with a change of the settings, and stops the present work.
-    pub fn push(&self, request: Request, change: impl FnOnce(&mut Settings)) {
+    pub fn push(&self, request: Request, change: impl FnOnce(&mut PageSettings)) {
         let mut pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
         pending.request = pending.request.max(Some(request));
         change(&mut pending.settings);

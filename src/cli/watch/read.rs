@@ -11,7 +11,7 @@ use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::cancel::{CancelReason, CancelToken};
-use crate::preview::{Link, Message, Settings};
+use crate::preview::{Link, Message, PageSettings};
 use crate::source::{LookedUpFiles, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
@@ -51,7 +51,7 @@ pub struct Read {
 const MAX_LOG: usize = 64 << 10;
 
 /// Reads the watched scene's text and builds its World. Messages and the scene's own output also go to the console.
-pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, cancel: &CancelToken) -> Read {
+pub fn read(console: &Console, args: &WatchArgs, settings: &PageSettings, cancel: &CancelToken) -> Read {
     let sources = Sources::default();
     let mut out = Read::default();
     let messages = match try_read(args, settings, cancel, &sources, &mut out) {
@@ -85,7 +85,7 @@ type Found = (Vec<Diagnostic>, Option<(World, PathBuf, RenderArgs, Timing)>);
 
 fn try_read(
     args: &WatchArgs,
-    settings: &Settings,
+    settings: &PageSettings,
     cancel: &CancelToken,
     sources: &Sources,
     out: &mut Read,
@@ -168,18 +168,19 @@ fn url_path(path: &Path) -> String {
     slash.to_string() + &text.bytes().map(byte).collect::<String>()
 }
 
-/// Returns the options for rendering a world with the page's settings.
-pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
+/// Returns the options for rendering a watched scene: those of the command line, with the anti-aliasing and
+/// quality of the preview page. If the page zooms, the picture is larger, and only the visible region is rendered.
+pub fn render_options_for_page(scene: &Scene, page: &PageSettings) -> render::Options {
     let threads = scene.args.threads.map_or(0, usize::from);
     let options = session::drawing_options(&scene.args.scene, &scene.args.look, threads, scene.timing);
     let antialias = match options.antialias {
-        _ if !settings.antialias => None,
+        _ if !page.antialias => None,
         // The switch of the page overrides `--aa off`.
         None => default_antialias_threshold(),
         some => some,
     };
-    let options = render::Options { antialias, quality: settings.quality, ..options };
-    let Some([x, y, width, height]) = settings.zoom else { return options };
+    let options = render::Options { antialias, quality: page.quality, ..options };
+    let Some([x, y, width, height]) = page.zoom else { return options };
     let larger = (1.0 / width).min(1.0 / height).clamp(1.0, MAX_ZOOM);
     let side = |pixels: usize| (pixels as f64 * larger).round() as usize;
     let (across, down) = (side(options.width), side(options.height));

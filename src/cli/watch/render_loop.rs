@@ -14,7 +14,7 @@ use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
 use crate::math::cancel::CancelToken;
-use crate::preview::{self, Change, FileWatcher, Message, PageState, Screen, Settings, TextPosition};
+use crate::preview::{self, Change, FileWatcher, Message, PageSettings, PageState, Screen, TextPosition};
 use crate::render::{self, RayCounts, Region, Stopped};
 use crate::source::{LookedUpFiles, Sources, Span};
 use serde_json::{Value, json};
@@ -58,7 +58,7 @@ impl RenderLoop {
         let mut state = PageState {
             name: self.args.input.display().to_string(),
             status: "reading",
-            settings: Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None },
+            settings: PageSettings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None },
             size: [0; 2],
             clock: [0.0, 0.0, 1.0],
             messages: vec![],
@@ -118,7 +118,7 @@ impl RenderLoop {
         }
     }
 
-    fn read(&self, console: &Console, settings: &Settings, cancel: &CancelToken) -> Read {
+    fn read(&self, console: &Console, settings: &PageSettings, cancel: &CancelToken) -> Read {
         let work = || read::read(console, &self.args, settings, cancel);
         catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Read {
             messages: vec![internal_fault()],
@@ -128,7 +128,7 @@ impl RenderLoop {
     }
 
     fn render(&self, console: &Console, scene: &Arc<Scene>, state: &mut PageState, cancel: &CancelToken) {
-        let options = read::drawing(scene, &state.settings);
+        let options = read::render_options_for_page(scene, &state.settings);
         state.status = "drawing";
         state.messages.retain(|message| message.place.is_some() || message.severity == "warning");
         self.screen.set_state(state.clone());

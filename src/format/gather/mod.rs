@@ -11,10 +11,10 @@ use crate::syntax::{Piece, Tokens, is_ignored_char};
 /// Length of a list of numbers, in bytes, above which each vector is one atom.
 const LONG_LIST: usize = 100_000;
 
-/// Returns the atoms of a text whose first byte has the global offset `global_start`.
-pub fn gather(text: &str, global_start: usize, ast: &Ast) -> Atoms {
+/// Returns the atoms of a whole text, whose first byte has the global offset `base_in_sources`.
+pub fn gather(text: &str, base_in_sources: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::new(&ast.tokens);
-    let mut gatherer = Gatherer { text, global_start, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
+    let mut gatherer = Gatherer { text, base_in_sources, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
     gatherer.body(&ast.elements);
     gatherer.gather_up_to(text.len());
     gatherer.gather_stray_characters(text.len());
@@ -51,7 +51,7 @@ fn is_dropped(c: char) -> bool {
 
 struct Gatherer<'a> {
     text: &'a str,
-    global_start: usize,
+    base_in_sources: usize,
     pieces: Pieces<'a>,
     out: Atoms,
     /// Offset in the text after the last atom.
@@ -68,7 +68,7 @@ impl<'a> Gatherer<'a> {
     }
 
     fn local_offset(&self, global_offset: u32) -> usize {
-        (global_offset as usize).saturating_sub(self.global_start)
+        (global_offset as usize).saturating_sub(self.base_in_sources)
     }
 
     fn read(&self, span: Span) -> &'a str {

@@ -35,7 +35,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Finds a file that the scene names; `None` if it does not exist, an error if the scene may not read it.
+    /// Finds a file that the scene names. Returns `None` without a message if the file does not exist, and an error if
+    /// the scene may not read it.
     pub fn find_readable_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
         let including = self.stream.include_paths().last().map(PathBuf::as_path);
         // The name as typed: in `"C:\new\shapes.inc"`, `\n` is no line feed.

@@ -58,7 +58,7 @@ impl<'a> Interpreter<'a> {
                     Some(token) => token,
                     None => continue,
                 },
-                ElementKind::Numbers(list) => Token::Numbers(frame.next_list_item(list)),
+                ElementKind::Numbers(list) => Token::Numbers(frame.peek_list_item(list)),
                 ElementKind::Word(word) => {
                     return self.word_token(word.name, word.category == Category::Function, element);
                 }

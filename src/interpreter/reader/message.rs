@@ -238,7 +238,11 @@ impl Interpreter<'_> {
             || hints::other_tool_hint(name).is_none() && self.reporter.is_declared_in_library(name)
         {
             let d = self.undeclared(symbol, span);
-            return if d.cause.as_ref().is_some_and(|c| c.remedy == Remedy::Declare) { d.maybe_help(near) } else { d };
+            return if d.missing_names.as_ref().is_some_and(|names| names.remedy == Remedy::Declare) {
+                d.maybe_help(near)
+            } else {
+                d
+            };
         }
         let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
         let near = did_you_mean(name, takes.iter().copied().chain(declared));

@@ -294,7 +294,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn open_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Arc<Picture>> {
-        let Some(path) = self.find_picture(name, at, format)? else {
+        let Some(path) = self.find_readable_picture(name, at, format)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
             return d.help("pictures are searched in the same folders as included files; -I DIR adds a folder").into();
         };
@@ -335,9 +335,10 @@ impl Reader for Interpreter<'_> {
 }
 
 impl Interpreter<'_> {
-    /// Finds a picture file; `None` if it does not exist. A name without an extension gets the one of the format, in
-    /// small or capital letters; without a format, that of PNG.
-    fn find_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Option<PathBuf>> {
+    /// Finds a picture file. Returns `None` without a message if the file does not exist, and an error if the scene may
+    /// not read it. A name without an extension gets the one of the format, in small or capital letters; without a
+    /// format, that of PNG.
+    fn find_readable_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Option<PathBuf>> {
         if name.contains('.') {
             return self.find_readable_file(name, at);
         }

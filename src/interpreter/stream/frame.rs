@@ -94,8 +94,8 @@ impl<'a> StackFrame<'a> {
         self.item.0
     }
 
-    /// Returns the next item of the list of literals at the read position.
-    pub fn next_list_item(&self, list: &'a NumberList) -> &'a [f64] {
+    /// Returns the next item of the list of literals at the read position, without moving the position.
+    pub fn peek_list_item(&self, list: &'a NumberList) -> &'a [f64] {
         let (i, start) = self.item;
         &list.data[start..start + list.width(i)]
     }

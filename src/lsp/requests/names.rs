@@ -90,7 +90,7 @@ pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionPara
     Some(GotoDefinitionResponse::Array(all.collect()))
 }
 
-/// Returns the file that an `#include` at a position names.
+/// Returns the file that an `#include` at a position names; `None` at any other name of a file.
 fn included_file_at<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);

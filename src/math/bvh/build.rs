@@ -13,7 +13,7 @@ use std::ops::Range;
 
 /// Number of levels from the root of the binary tree that are split at the cheapest plane; deeper levels are split in
 /// halves, which bounds the tree's depth.
-const LEVELS: usize = 64;
+const COST_SPLIT_LEVELS: usize = 64;
 /// Cost of intersecting a single item of the BVH, relative to visiting a node.
 const ITEM: f32 = 1.5;
 /// Cost of intersecting a pack of items of the BVH, relative to visiting a node.
@@ -96,7 +96,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         if !build.prims.is_empty() {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
-            let root = build.build_subtree(0..build.prims.len(), &around, LEVELS);
+            let root = build.build_subtree(0..build.prims.len(), &around, COST_SPLIT_LEVELS);
             build.bvh.nodes.reserve_exact(build.count_wide_nodes(root.number));
             build.bvh.nodes.push(Wide::EMPTY);
             build.items.reserve_exact(root.items as usize);
@@ -112,8 +112,9 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         (build.bvh, order, build.items)
     }
 
-    /// Builds the BVH's binary tree over a range of boxes.
-    fn build_subtree(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
+    /// Builds the BVH's binary tree over a range of boxes. The first `cost_split_levels` levels are split at the
+    /// cheapest plane, deeper ones in halves by number.
+    fn build_subtree(&mut self, boxes: Range<usize>, around: &Around, cost_split_levels: usize) -> Half {
         let prims = &mut self.prims[boxes.clone()];
         if (self.is_item)(prims) {
             let Around { lo, hi, .. } = *around;
@@ -124,11 +125,11 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         }
         // A cancelled build ends quickly with a poor tree.
         let is_cancelled = prims.len() > PRIMS_BETWEEN_POLLS && cancel::is_cancelled();
-        let (count, [left, right]) = split_boxes(prims, around, levels == 0 || is_cancelled);
+        let (count, [left, right]) = split_boxes(prims, around, cost_split_levels == 0 || is_cancelled);
         let mid = boxes.start + count;
-        let levels = levels.saturating_sub(1);
-        let a = self.build_subtree(boxes.start..mid, &left, levels);
-        let b = self.build_subtree(mid..boxes.end, &right, levels);
+        let cost_split_levels = cost_split_levels.saturating_sub(1);
+        let a = self.build_subtree(boxes.start..mid, &left, cost_split_levels);
+        let b = self.build_subtree(mid..boxes.end, &right, cost_split_levels);
         self.join_halves(&a, &b)
     }
 

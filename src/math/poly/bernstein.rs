@@ -260,18 +260,20 @@ pub fn polynomial_roots_between(
             let both = solve_quadratic(a, b, c).map_or([f64::NAN; 2], |(x1, x2)| [x1, x2]);
             let _ = both.into_iter().any(report_root);
         }
-        _ if degree == 3 => roots_on_real_line::<4>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 4 => roots_on_real_line::<5>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 5 => roots_on_real_line::<6>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 6 => roots_on_real_line::<7>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 7 => roots_on_real_line::<8>(&c[..=degree], lo, hi, &mut report_root),
-        _ => roots_on_real_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 3 => search_roots_between::<4>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 4 => search_roots_between::<5>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 5 => search_roots_between::<6>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 6 => search_roots_between::<7>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 7 => search_roots_between::<8>(&c[..=degree], lo, hi, &mut report_root),
+        _ => search_roots_between::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
     }
 }
 
-/// Finds roots on the whole line: splits it into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first
-/// and the last coefficient similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
-fn roots_on_real_line<const N: usize>(c: &[f64], lo: f64, hi: f64, stops_at: StopsAt) {
+/// Finds the roots between `lo` and `hi`, which may be infinite, in ascending order, until `stops_at` returns true.
+/// `stops_at` may also receive roots outside. Works in a unit that makes the first and the last coefficient similar,
+/// and searches (-∞, -1], [-1, 0], [0, 1] and [1, ∞) one after another; where |x| is above 1, by xⁿ·p(1/x), whose
+/// coefficients have the reverse order.
+fn search_roots_between<const N: usize>(c: &[f64], lo: f64, hi: f64, stops_at: StopsAt) {
     let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;

@@ -151,9 +151,9 @@ impl Cells {
     }
 }
 
-/// Joints among the edges that meet at a corner of a pavement's cell.
+/// Edges that are joints, among those that meet at a corner of a pavement's cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Corner {
+pub struct CornerJoints {
     /// True if the edge of a pavement's cell before the corner (against the clock) is a joint.
     pub before: bool,
     /// True if the edge of a pavement's cell after the corner is a joint.
@@ -174,8 +174,8 @@ pub struct Plan {
     steps: [i64; 3],
     /// For each cell of a period of the pavement, a bit for each edge that is a joint.
     joints: Vec<u8>,
-    /// Corners of each cell of a period of the pavement.
-    corners: Vec<Vec<Corner>>,
+    /// Joints at the corners of each cell of a period of the pavement.
+    corner_joints: Vec<Vec<CornerJoints>>,
 }
 
 impl Plan {
@@ -189,10 +189,11 @@ impl Plan {
             Cells::Hexagons => digits.chunks(2).map(|pair| pair.iter().fold(0, |all, digit| all * 8 + digit)).collect(),
             _ => digits,
         };
-        let mut plan = Self { cells, steps, joints, corners: vec![] };
+        let mut plan = Self { cells, steps, joints, corner_joints: vec![] };
         let places = (0..steps[2]).flat_map(|j| (0..steps[0]).map(move |i| (i, j)));
         let all = places.flat_map(|(i, j)| (0..cells.cells_per_position()).map(move |kind| Cell { i, j, kind }));
-        plan.corners = all.map(|cell| (0..cells.side_count()).map(|k| plan.corner(cell, k)).collect()).collect();
+        plan.corner_joints =
+            all.map(|cell| (0..cells.side_count()).map(|k| plan.joints_at_corner(cell, k)).collect()).collect();
         plan
     }
 
@@ -208,7 +209,7 @@ impl Plan {
         self.joints[self.index_in_period(cell)] >> edge & 1 == 1
     }
 
-    fn corner(&self, cell: Cell, k: usize) -> Corner {
+    fn joints_at_corner(&self, cell: Cell, k: usize) -> CornerJoints {
         let n = self.cells.side_count();
         // around the corner, from the edge after it to the edge before it
         let (mut there, mut edge) = (cell, k);
@@ -219,12 +220,12 @@ impl Plan {
         }
         let [first, last] = [others.first(), others.last()].map(|other| other == Some(&true));
         let (before, after) = (self.is_joint(cell, (k + n - 1) % n), self.is_joint(cell, k));
-        Corner { before, after, first, last, any: others.contains(&true) }
+        CornerJoints { before, after, first, last, any: others.contains(&true) }
     }
 
     /// Returns, for each corner of a pavement's cell, which of the edges that meet there are joints.
-    pub fn corners_of_cell(&self, cell: Cell) -> &[Corner] {
-        &self.corners[self.index_in_period(cell)]
+    pub fn joints_at_corners(&self, cell: Cell) -> &[CornerJoints] {
+        &self.corner_joints[self.index_in_period(cell)]
     }
 }
 

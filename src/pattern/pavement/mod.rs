@@ -15,7 +15,7 @@ use crate::math::{DVec2, fp};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Readable, Reader, Spec, ValueKind};
-use grid::{Cells, Corner, H, Plan};
+use grid::{Cells, CornerJoints, H, Plan};
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
@@ -177,9 +177,9 @@ fn nth_entry<T: Copy>(all: &[T], n: f64) -> Option<T> {
     (n >= 1.0).then(|| all.get(n as usize - 1).copied()).flatten()
 }
 
-/// Position of a point relative to the nearest corner of its pavement cell.
+/// Position of a point relative to the bisector of the nearest corner of its pavement cell.
 #[derive(Clone, Copy, Debug)]
-struct NearCorner {
+struct BisectorPosition {
     /// Distance from the cell's corner towards its centre.
     along: f64,
     /// Distance from the line between the cell's corner and centre, towards the edge that follows the corner
@@ -189,7 +189,7 @@ struct NearCorner {
     to_middle: f64,
 }
 
-impl NearCorner {
+impl BisectorPosition {
     /// Distance from the point to the nearest corner of its pavement cell.
     fn distance_to_corner(self) -> f64 {
         fp::hypot(self.along, self.across)
@@ -202,89 +202,90 @@ impl PavementLayout {
         let directions = &self.corners[cell.kind];
         let k = nearest_direction(directions, place);
         let direction = directions[k];
-        let near = NearCorner {
+        let position = BisectorPosition {
             along: self.cells.corner_radius() - place.dot(direction),
             across: direction.perp_dot(place),
             to_middle: place.length(),
         };
-        let corners = self.plan.corners_of_cell(cell);
+        let joints = self.plan.joints_at_corners(cell);
         let value = match self.cells {
-            Cells::Triangles => self.height_in_triangle_cell(corners[k], near),
-            Cells::Squares => match cell_corner_opposite_notch(corners) {
-                Some(turn) => self.height_in_turning_square(corners[k], near, place.dot(directions[turn])),
-                None => self.height_in_square_cell(corners[k], near, self.exterior, self.interior),
+            Cells::Triangles => self.height_in_triangle_cell(joints[k], position),
+            Cells::Squares => match cell_corner_opposite_notch(joints) {
+                Some(turn) => self.height_in_turning_square(joints[k], position, place.dot(directions[turn])),
+                None => self.height_in_square_cell(joints[k], position, self.exterior, self.interior),
             },
-            Cells::Hexagons => self.height_in_hexagon_cell(corners[k], near),
+            Cells::Hexagons => self.height_in_hexagon_cell(joints[k], position),
         };
         value.clamp(0.0, 1.0)
     }
 
-    /// Returns the heights of a pavement's bevels before and after the corner; 0 without a joint.
-    fn bevel_heights(&self, corner: Corner, near: NearCorner) -> [f64; 2] {
+    /// Returns the heights of the bevels at a corner of a pavement's cell: at the edge before the corner and at the
+    /// edge after it, against the clock; 0 at an edge that is no joint.
+    fn bevel_heights_before_after(&self, joints: CornerJoints, position: BisectorPosition) -> [f64; 2] {
         let (sin, cos) = match self.cells {
             Cells::Triangles => (0.5, H),
             Cells::Squares => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
             Cells::Hexagons => (H, 0.5),
         };
-        let height = |joint: bool, across: f64| {
-            let distance = near.along * sin - across * cos;
-            if joint { (1.0 - distance / self.cells.bevel_width()).max(0.0) } else { 0.0 }
+        let height = |is_joint: bool, across: f64| {
+            let distance = position.along * sin - across * cos;
+            if is_joint { (1.0 - distance / self.cells.bevel_width()).max(0.0) } else { 0.0 }
         };
-        [height(corner.before, -near.across), height(corner.after, near.across)]
+        [height(joints.before, -position.across), height(joints.after, position.across)]
     }
 
     /// Height of a pavement at the tip of a triangle or square, from the heights of the bevels on both sides.
-    fn tip_height(&self, bevel_heights: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
+    fn tip_height(&self, bevel_heights: [f64; 2], position: BisectorPosition, joint: JointShape) -> f64 {
         match joint {
             JointShape::Cut => bevel_heights[0] + bevel_heights[1],
-            JointShape::Round => near.to_middle / self.cells.bevel_width(),
+            JointShape::Round => position.to_middle / self.cells.bevel_width(),
             _ => bevel_heights[0].max(bevel_heights[1]),
         }
     }
 
-    fn height_in_triangle_cell(&self, corner: Corner, near: NearCorner) -> f64 {
-        let bevels = self.bevel_heights(corner, near);
-        match (corner.before, corner.after) {
-            (true, true) => self.tip_height(bevels, near, self.exterior),
+    fn height_in_triangle_cell(&self, joints: CornerJoints, position: BisectorPosition) -> f64 {
+        let bevels = self.bevel_heights_before_after(joints, position);
+        match (joints.before, joints.after) {
+            (true, true) => self.tip_height(bevels, position, self.exterior),
             // half of a 120° corner, with the open edge in its middle
-            (true, false) if corner.first => {
-                self.height_at_120_degrees(bevels, near.along * H + near.across / 2.0, near)
+            (true, false) if joints.first => {
+                self.height_at_120_degrees(bevels, position.along * H + position.across / 2.0, position)
             }
-            (false, true) if corner.last => {
-                self.height_at_120_degrees(bevels, near.along * H - near.across / 2.0, near)
+            (false, true) if joints.last => {
+                self.height_at_120_degrees(bevels, position.along * H - position.across / 2.0, position)
             }
-            (false, false) if corner.any => match self.interior {
-                JointShape::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
-                JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
-                _ => 1.0 - near.along / self.cells.bevel_width(),
+            (false, false) if joints.any => match self.interior {
+                JointShape::Cut => 1.0 - 3.0 * (position.along * H + position.across.abs() / 2.0),
+                JointShape::Round => 1.0 - 3.0 * position.distance_to_corner(),
+                _ => 1.0 - position.along / self.cells.bevel_width(),
             },
             _ => bevels[0].max(bevels[1]),
         }
     }
 
-    fn height_in_hexagon_cell(&self, corner: Corner, near: NearCorner) -> f64 {
-        let bevels = self.bevel_heights(corner, near);
+    fn height_in_hexagon_cell(&self, joints: CornerJoints, position: BisectorPosition) -> f64 {
+        let bevels = self.bevel_heights_before_after(joints, position);
         // towards the edge that is not a joint, if one is not
-        let open = if corner.before { near.across } else { -near.across };
-        match (corner.before, corner.after) {
-            (true, true) => self.height_at_120_degrees(bevels, near.along, near),
+        let open = if joints.before { position.across } else { -position.across };
+        match (joints.before, joints.after) {
+            (true, true) => self.height_at_120_degrees(bevels, position.along, position),
             (false, false) => 0.0,
             _ if open > 0.0 && self.interior == JointShape::Cut => {
-                1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open)
+                1.0 - 3.0 * position.along.max(position.along / 2.0 + H * open)
             }
-            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
+            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * position.distance_to_corner(),
             _ => bevels[0].max(bevels[1]),
         }
     }
 
     /// Height of a pavement at a corner of 120° between two joints, whose shape there is `form`. The point is `along`
     /// from the corner, along the bisector of the corner.
-    fn height_at_120_degrees(&self, bevel_heights: [f64; 2], along: f64, near: NearCorner) -> f64 {
+    fn height_at_120_degrees(&self, bevel_heights: [f64; 2], along: f64, position: BisectorPosition) -> f64 {
         match self.form {
             JointShape::Cut => 2.0 - 4.0 * along,
             JointShape::Round => {
                 // the hexagon's centre is at distance 1 on the bisector
-                let from_corner = near.distance_to_corner();
+                let from_corner = position.distance_to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
                 1.0 - (H - from_middle) / self.cells.bevel_width()
             }
@@ -294,19 +295,19 @@ impl PavementLayout {
 
     fn height_in_square_cell(
         &self,
-        corner: Corner,
-        near: NearCorner,
+        joints: CornerJoints,
+        position: BisectorPosition,
         exterior: JointShape,
         interior: JointShape,
     ) -> f64 {
-        let bevels = self.bevel_heights(corner, near);
-        match (corner.before, corner.after) {
-            (true, true) => self.tip_height(bevels, near, exterior),
-            (false, false) if !corner.any => 0.0,
+        let bevels = self.bevel_heights_before_after(joints, position);
+        match (joints.before, joints.after) {
+            (true, true) => self.tip_height(bevels, position, exterior),
+            (false, false) if !joints.any => 0.0,
             (false, false) => match interior {
-                JointShape::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
-                JointShape::Round => 1.0 - 2.0 * near.distance_to_corner(),
-                _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
+                JointShape::Cut => 1.0 - 2.0 * SQRT_2 * position.along,
+                JointShape::Round => 1.0 - 2.0 * position.distance_to_corner(),
+                _ => 1.0 - SQRT_2 * (position.along + position.across.abs()),
             },
             _ => bevels[0].max(bevels[1]),
         }
@@ -314,17 +315,19 @@ impl PavementLayout {
 
     /// Height of a pavement in a square at which a tile turns, from a notch to the opposite corner. `along` is the
     /// distance from the centre towards that corner.
-    fn height_in_turning_square(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
+    fn height_in_turning_square(&self, joints: CornerJoints, position: BisectorPosition, along: f64) -> f64 {
         match self.form {
-            JointShape::Pointed => self.height_in_square_cell(corner, near, JointShape::Pointed, JointShape::Pointed),
+            JointShape::Pointed => {
+                self.height_in_square_cell(joints, position, JointShape::Pointed, JointShape::Pointed)
+            }
             JointShape::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
             JointShape::Round => {
                 // by the law of cosines, in halves of the square's side
-                let (from_middle, along) = (2.0 * near.to_middle, 2.0 * along);
+                let (from_middle, along) = (2.0 * position.to_middle, 2.0 * along);
                 let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
                 (from_notch - 1.0).abs()
             }
-            JointShape::AsOthers => self.height_in_square_cell(corner, near, self.exterior, self.interior),
+            JointShape::AsOthers => self.height_in_square_cell(joints, position, self.exterior, self.interior),
         }
     }
 }
@@ -342,10 +345,10 @@ fn nearest_direction(directions: &[DVec2], place: DVec2) -> usize {
 }
 
 /// Returns the index of the corner of a pavement cell that lies between two joints and opposite a notch.
-fn cell_corner_opposite_notch(corners: &[Corner]) -> Option<usize> {
+fn cell_corner_opposite_notch(joints: &[CornerJoints]) -> Option<usize> {
     (0..4).find(|&k| {
-        let across = corners[(k + 2) % 4];
-        corners[k].before && corners[k].after && !across.before && !across.after && across.any
+        let across = joints[(k + 2) % 4];
+        joints[k].before && joints[k].after && !across.before && !across.after && across.any
     })
 }
 

@@ -158,8 +158,9 @@ impl PatternProgram {
         }
     }
 
-    /// True if the box with these corners, in the outer space, is certainly outside of the lowered pattern's support.
-    pub fn is_outside_support(&self, corners: [DVec3; 8]) -> bool {
+    /// True if the parallelepiped with these eight corners, in the outer space, is certainly outside of the lowered
+    /// pattern's support; its edges need not be parallel to the axes.
+    pub fn is_hull_outside_support(&self, corners: [DVec3; 8]) -> bool {
         let Value::Field(number) = &self.value else { return false };
         let corners = match &*self.way {
             _ if self.uv => return false,

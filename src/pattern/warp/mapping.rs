@@ -168,7 +168,7 @@ impl Bend for ToroidalWarp {
 /// Warp `planar`: projects every point along the normal to the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PlanarWarp {
-    /// Normal of the plane of the planar warp.
+    /// Orientation of the planar warp's plane, which is its normal, of length 1 or 0.
     pub layout: Layout,
     /// Distance of the planar warp's plane from the origin.
     pub distance: f64,

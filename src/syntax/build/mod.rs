@@ -21,7 +21,7 @@ pub(super) struct Builder<'n> {
     names: &'n Names,
     text: &'n str,
     /// Global offset of the first byte of the text.
-    base: usize,
+    base_in_sources: usize,
     classes: &'n [u8],
     tokens: &'n [Token],
     numbers: &'n [f64],
@@ -45,9 +45,18 @@ enum Context {
 impl<'n> Builder<'n> {
     /// Creates a builder for the piece that begins at token `first`.
     pub(super) fn new(source: &Source<'n>, lexed: &'n Lexed, first: usize) -> Self {
-        let &Source { text, base, names, single } = source;
+        let &Source { text, base_in_sources, names, single } = source;
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
-        Self { names, text, base, classes: &classes[first..], tokens: &tokens[first..], numbers, lists, single }
+        Self {
+            names,
+            text,
+            base_in_sources,
+            classes: &classes[first..],
+            tokens: &tokens[first..],
+            numbers,
+            lists,
+            single,
+        }
     }
 
     /// Appends the elements of a whole piece of text to `out`.
@@ -129,11 +138,11 @@ impl<'n> Builder<'n> {
     fn span(&self, pair: &Pair<Rule>) -> Span {
         let span = pair.as_span();
         let (first, last) = (self.tokens[span.start()], self.tokens[(span.end().max(1) - 1).max(span.start())]);
-        Span::new(self.base + first.start as usize, self.base + last.end as usize)
+        Span::new(self.base_in_sources + first.start as usize, self.base_in_sources + last.end as usize)
     }
 
     fn token_span(&self, token: Token) -> Span {
-        Span::new(self.base + token.start as usize, self.base + token.end as usize)
+        Span::new(self.base_in_sources + token.start as usize, self.base_in_sources + token.end as usize)
     }
 
     fn element(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {

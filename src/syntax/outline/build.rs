@@ -20,7 +20,7 @@ impl Outline {
         let outline = Outline {
             text: text.into(),
             line_starts: memchr::memchr2_iter(b'\n', b'\r', text.as_bytes()).map(|end| end as u32 + 1).collect(),
-            base: tokens.base,
+            base_in_sources: tokens.base_in_sources,
             tokens: written.map(|(token, &class)| outline_token(text, class, range(token.start, token.end))).collect(),
             comments: tokens.comments.iter().map(|&(start, end)| range(start, end)).collect(),
             ..Outline::default()
@@ -35,8 +35,8 @@ impl Outline {
 
     /// Builds the outline of a source file.
     pub fn read(sources: &Sources, file: FileId) -> Self {
-        let (text, base) = (sources.text(file), sources.base(file));
-        Self::new(text, &tokens_of(text, base).0)
+        let (text, base_in_sources) = (sources.text(file), sources.base(file));
+        Self::new(text, &tokens_of(text, base_in_sources).0)
     }
 }
 
@@ -71,7 +71,7 @@ struct Builder {
 
 impl Builder {
     fn visit_token(&mut self, i: usize) {
-        self.set_pair(i);
+        self.set_enclosing_pair(i);
         match self.outline.class(i) {
             class::BRACE | class::PAREN | class::BRACKET | class::VECTOR => self.open_bracket(i),
             class::LOOSE if matches!(self.outline.word(i), "{" | "(" | "[") => self.open_bracket(i),
@@ -94,8 +94,9 @@ impl Builder {
         self.outline.tokens[i].range.clone()
     }
 
-    fn set_pair(&mut self, i: usize) {
-        self.outline.tokens[i].pair = self.open.last().map(|&pair| pair as u32);
+    /// Records the innermost open pair as the one that encloses the token of this index; `None` outside of all pairs.
+    fn set_enclosing_pair(&mut self, token: usize) {
+        self.outline.tokens[token].pair = self.open.last().map(|&pair| pair as u32);
     }
 
     /// Opens a pair of brackets, whose head is the word before.
@@ -188,7 +189,7 @@ impl Builder {
     fn next_branch(&mut self, i: usize) {
         let body = self.open.iter().rposition(|&pair| self.outline.pairs[pair].bracket == b'#');
         self.leave_unclosed_beyond_depth(body.map_or(0, |body| body + 1), self.range(i).end);
-        self.set_pair(i);
+        self.set_enclosing_pair(i);
     }
 
     fn visit_end_directive(&mut self, i: usize) {

@@ -118,7 +118,7 @@ pub struct Outline {
     /// Byte offsets of the lines after the first, ascending.
     line_starts: Vec<u32>,
     /// Global offset of the text's first byte.
-    base: usize,
+    base_in_sources: usize,
     /// Tokens of the text.
     pub tokens: Vec<Token>,
     /// Byte ranges of the comments, with their delimiters.
@@ -246,7 +246,7 @@ impl Outline {
 
     /// Returns the global span of a byte range of the text.
     pub(super) fn span(&self, range: &Range<usize>) -> Span {
-        Span::new(self.base + range.start, self.base + range.end)
+        Span::new(self.base_in_sources + range.start, self.base_in_sources + range.end)
     }
 
     /// Returns the pairs around a token, the innermost first. A closing token belongs to its own pair, an opening one

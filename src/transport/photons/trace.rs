@@ -151,7 +151,8 @@ impl<'w> Tracer<'w> {
         flights.extend(continued.map(|state| Flight { state, distance: flight.distance, has_hit_target: true }));
     }
 
-    /// True if the surface stores photons of the light.
+    /// True if the surface stores photons of the beam's light: the object collects photons, and the surface has a
+    /// diffuse part and is lit by the light. The caller checks that the photon has hit a target.
     fn stores_photons(&self, beam: &Beam, shading: &ShadingPoint) -> bool {
         let world = self.context.world;
         let is_lit = || world.lit_by[shading.part.light_set() as usize].contains(&beam.source.light);

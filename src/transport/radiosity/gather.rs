@@ -155,10 +155,11 @@ impl Tracer<'_> {
         Sample { point: at.point, normal: at.normal, light: light / n, radius, depth: at.depth }
     }
 
-    /// Returns the radiance along a ray that gathers light, and the distance of its first hit.
+    /// Returns the radiance along a ray that gathers light, times the ray's throughput, and the distance of its first
+    /// hit.
     fn radiance_and_first_distance(&mut self, state: RayState) -> (Rgb, f64) {
         let before = std::mem::replace(&mut self.first_distance, f64::INFINITY);
-        let light = self.radiance(state).rgb;
+        let light = self.radiance_times_throughput(state).rgb;
         let distance = std::mem::replace(&mut self.first_distance, before);
         (light, distance)
     }

@@ -51,17 +51,17 @@ impl CommonMistake {
         self
     }
 
-    /// Applies the replacements to the error's diagnostic; `file_offset` is the global offset of the file.
-    pub(super) fn apply_to(self, mut d: Diagnostic, file_offset: usize) -> Diagnostic {
+    /// Applies the replacements to the error's diagnostic; `base_in_sources` is the global offset of the file.
+    pub(super) fn apply_to(self, mut d: Diagnostic, base_in_sources: usize) -> Diagnostic {
         if let Some(range) = self.range {
             d.labels = vec![Label {
-                span: Span::new(file_offset + range.start, file_offset + range.end),
+                span: Span::new(base_in_sources + range.start, base_in_sources + range.end),
                 text: String::new(),
             }];
         }
         d.code = self.code.unwrap_or(d.code);
         d.message = self.message.unwrap_or(d.message);
-        d.cause = None;
+        d.missing_names = None;
         d.help(self.help)
     }
 }

@@ -1,6 +1,6 @@
 //! Errors about names from an include file that is not included, merged into one message in the author's own file.
 
-use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
+use crate::diagnostic::{Diagnostic, Label, MissingNames, Remedy};
 use crate::interpreter::reporter::Reporter;
 use crate::library;
 use crate::source::Span;
@@ -10,30 +10,30 @@ use std::path::Path;
 const MAX_PLACES: usize = 4;
 
 impl Reporter<'_> {
-    /// Merges an error into a reported one with the same cause; returns the error if no other has the cause.
-    pub(super) fn merge_with_same_cause(&mut self, d: Diagnostic) -> Option<Diagnostic> {
-        let Some(cause) = d.cause.as_deref() else { return Some(d) };
+    /// Merges an error into a reported one about the same missing names; returns the error if no other is about them.
+    pub(super) fn merge_with_same_missing_names(&mut self, d: Diagnostic) -> Option<Diagnostic> {
+        let Some(missing_names) = d.missing_names.as_deref() else { return Some(d) };
         // A warning about an unused declaration can be merged into an error, too.
         let same = |k: &&mut Diagnostic| {
-            k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is_same_as(cause))
+            k.severity >= d.severity && k.missing_names.as_ref().is_some_and(|known| known.is_same_as(missing_names))
         };
-        match self.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
+        match self.diagnostics.iter_mut().find(same).and_then(|known| known.missing_names.as_mut()) {
             Some(known) => {
-                known.add_uses(cause);
+                known.add_uses(missing_names);
                 None
             }
             None => Some(d),
         }
     }
 
-    /// Completes a message with all places of its cause, those in the author's own file first.
+    /// Completes a message with all uses of its missing names, those in the author's own file first.
     pub(super) fn with_all_places(&self, mut d: Diagnostic) -> Diagnostic {
-        let Some(mut cause) = d.cause.take() else { return d };
-        cause.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
-        let Some((name, first)) = cause.uses.first().cloned() else { return d };
-        if let Remedy::Include(file) = cause.remedy {
+        let Some(mut missing_names) = d.missing_names.take() else { return d };
+        missing_names.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
+        let Some((name, first)) = missing_names.uses.first().cloned() else { return d };
+        if let Remedy::Include(file) = missing_names.remedy {
             if self.in_standard_file(first) {
-                return self.missing_include_of_include(d, &cause, file);
+                return self.missing_include_of_include(d, &missing_names, file);
             }
             d.message = include_message(&name, file);
             d.help = Some(include_help(file));
@@ -47,16 +47,16 @@ impl Reporter<'_> {
             d.trace = Box::default();
         }
         d.labels = vec![Label { span: first, text: String::new() }];
-        self.add_labels_of_further_uses(&mut d, &cause, &name);
+        self.add_labels_of_further_uses(&mut d, &missing_names, &name);
         d
     }
 
     /// Adds further places to a message, and the number of places beyond [`MAX_PLACES`].
-    fn add_labels_of_further_uses(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
+    fn add_labels_of_further_uses(&self, d: &mut Diagnostic, missing_names: &MissingNames, name: &str) {
         let file = |span: Span| self.inputs.sources.locate(span).map(|(file, _)| file);
         let mut more = 0;
-        for (other, span) in &cause.uses[1..] {
-            if d.labels.len() > MAX_PLACES || file(*span) != file(cause.uses[0].1) {
+        for (other, span) in &missing_names.uses[1..] {
+            if d.labels.len() > MAX_PLACES || file(*span) != file(missing_names.uses[0].1) {
                 more += 1;
                 continue;
             }
@@ -70,15 +70,20 @@ impl Reporter<'_> {
         }
     }
 
-    /// Turns an error inside a standard include file into the error that this file needs the include file `missing`.
-    /// The place of the error is the `#include` or macro call in the author's own text.
-    fn missing_include_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
-        let Some((name, first)) = cause.uses.first() else { return d };
+    /// Turns an error inside a standard include file into the error that this file needs the include file
+    /// `missing_file`. The place of the error is the `#include` or macro call in the author's own text.
+    fn missing_include_of_include(
+        &self,
+        mut d: Diagnostic,
+        missing_names: &MissingNames,
+        missing_file: &'static str,
+    ) -> Diagnostic {
+        let Some((name, first)) = missing_names.uses.first() else { return d };
         let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));
         let inner = Path::new(inner).file_name().unwrap_or_default().to_string_lossy().into_owned();
         let outer = d.trace.iter().find(|step| !self.in_standard_file(step.span)).cloned();
         let Some(place) = outer.filter(|step| !step.span.is_none()) else { return d };
-        let mut names: Vec<&str> = cause.uses.iter().map(|(name, _)| name.as_str()).collect();
+        let mut names: Vec<&str> = missing_names.uses.iter().map(|(name, _)| name.as_str()).collect();
         names.sort_unstable();
         names.dedup();
         let others = match names.len() - 1 {
@@ -86,10 +91,10 @@ impl Reporter<'_> {
             1 => " and one more name of it".into(),
             n => format!(" and {n} more names of it"),
         };
-        d.message = format!("`{inner}` needs `{missing}`: it uses `{name}`{others}");
+        d.message = format!("`{inner}` needs `{missing_file}`: it uses `{name}`{others}");
         d.help = Some(match place.text.as_str() {
-            "included" => format!("add `#include \"{missing}\"` before this line"),
-            _ => format!("add `#include \"{missing}\"` at the start of the scene"),
+            "included" => format!("add `#include \"{missing_file}\"` before this line"),
+            _ => format!("add `#include \"{missing_file}\"` at the start of the scene"),
         });
         d.labels = vec![Label { span: place.span, text: String::new() }];
         d.trace = Box::new([Label { span: *first, text: format!("`{name}` is used") }]);

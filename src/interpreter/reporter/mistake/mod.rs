@@ -74,7 +74,7 @@ impl Reporter<'_> {
                 self.mistakes.lines.insert(line);
             }
         }
-        self.merge_with_same_cause(d)
+        self.merge_with_same_missing_names(d)
     }
 
     /// Records the names and files that a common mistake leaves undeclared or unread.
@@ -114,8 +114,8 @@ impl Reporter<'_> {
         {
             return true;
         }
-        if let Some(cause) = &d.cause {
-            return cause.uses.iter().all(|(name, _)| self.is_undeclared_by_error(name, source.file));
+        if let Some(names) = &d.missing_names {
+            return names.uses.iter().all(|(name, _)| self.is_undeclared_by_error(name, source.file));
         }
         let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
         is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))

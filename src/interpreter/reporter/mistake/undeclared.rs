@@ -1,7 +1,7 @@
 //! Errors about undeclared names.
 
 use super::missing::{include_help, include_message};
-use crate::diagnostic::{Cause, Diagnostic, Remedy, codes, nearest};
+use crate::diagnostic::{Diagnostic, MissingNames, Remedy, codes, nearest};
 use crate::interpreter::reporter::{Reporter, hints};
 use crate::library;
 use crate::source::Span;
@@ -17,9 +17,9 @@ impl Reporter<'_> {
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
         if let Some(file) = self.include_missing_for(name) {
             let d = Diagnostic::new(codes::UNDECLARED, span, include_message(name, file)).help(include_help(file));
-            return d.because(Cause::new(Remedy::Include(file), name, span));
+            return d.with_missing_names(MissingNames::new(Remedy::Include(file), name, span));
         }
-        let d = d.because(Cause::new(Remedy::Declare, name, span));
+        let d = d.with_missing_names(MissingNames::new(Remedy::Declare, name, span));
         let help = hints::povray_3_8_name_hint(name)
             .map(String::from)
             .or_else(|| meant_name_hint(name, declared))
