@@ -122,7 +122,6 @@ macro_rules! visit_only_node {
         }
     }};
 }
-use visit_only_node;
 
 /// Returns the child of a BVH node that a ray enters first among those in a non-empty mask.
 #[inline(always)]
