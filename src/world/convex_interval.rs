@@ -106,7 +106,7 @@ pub(super) fn visit_ends_on_surface<'a>(
         parts.push((interval, leaf, child));
     }
     for (i, &(interval, leaf, _)) in parts.iter().enumerate() {
-        for end in interval.ends.into_iter() {
+        for end in interval.ends {
             let inside = |(other, _, child): &(ConvexInterval, &Leaf, &SolidNode)| match other.contains(end.t) {
                 Some(inside) => inside,
                 None => child.inside(ray.at(end.t)),

@@ -117,13 +117,11 @@ impl Tracer<'_> {
         let settings = radiosity.settings;
         let all = radiosity.directions(at.depth);
         let count = ray_count(settings, u32::from(at.depth)) as usize;
-        // Choose the rays from the pool by the point, not by the order of samples.
-        let start = match settings.pool {
-            Some(_) => (rng::random_unit(&at.point.to_array().map(f64::to_bits)) * all.len() as f64) as usize,
-            None => 0,
-        };
-        // Each sample turns its directions about the normal by an angle of its own, so that errors of neighbours differ.
-        let (sin, cos) = fp::sin_cos(TAU * rng::random_unit(&at.point.to_array().map(f64::to_bits)));
+        // The point decides which rays of the pool are chosen, not the order of samples. Each sample also turns its directions
+        // about the normal by an angle of its own, so that errors of neighbours differ.
+        let own = rng::random_unit(&at.point.to_array().map(f64::to_bits));
+        let start = settings.pool.map_or(0, |_| (own * all.len() as f64) as usize);
+        let (sin, cos) = fp::sin_cos(TAU * own);
         let (x, y) = at.normal.any_orthonormal_pair();
         let (tangent, bitangent) = (x * cos + y * sin, y * cos - x * sin);
         let (mut light, mut inverse_distances) = (Rgb::ZERO, 0.0);
