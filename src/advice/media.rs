@@ -26,10 +26,12 @@ pub(super) fn media_in_solid_warnings(scene: &Scene) -> Vec<Diagnostic> {
 
 /// Returns the warning about media that scatter light in a scene whose lights do not reach them.
 pub(super) fn unlit_media_warning(world: &World) -> Option<Diagnostic> {
+    let shows_photons = world.photon_map.as_ref().is_some_and(|settings| settings.media_steps > 0);
     let is_unlit = |medium: &&Medium| {
         let mut lights = world.lit_by[medium.light_set as usize].iter().map(|&number| &world.lights[number as usize]);
         let scatters = medium.scattering.color != Rgb::ZERO && medium.emission == Rgb::ZERO;
-        scatters && !lights.any(|light| light.emitter.scattered)
+        let collects = shows_photons && medium.collects_photons;
+        scatters && !collects && !lights.any(|light| light.emitter.scattered)
     };
     let medium = all_media(world).find(is_unlit)?;
     let text = "these media scatter the light of lights, but no light shines on them";

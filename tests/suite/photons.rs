@@ -1,6 +1,7 @@
 //! Photons: energy in closed form, brightness beside POV-Ray's, the same bytes for any number of threads and any region.
 
 use crate::drawing::{draw, is_independent_of_threads_and_region, is_near, mean};
+use crate::scratch::Scratch;
 use durer::{Frame, RenderOptions};
 
 /// Returns the picture of a scene, 40 × 40 pixels.
@@ -75,5 +76,24 @@ fn light_without_a_target_stays_as_it_is() {
         let text = scene("spacing 0.05", "", PANE, 1.0).replace("target refraction on", change);
         let none = scene("spacing 0.05", "", PANE, 1.0).replace("target refraction on", "");
         assert_eq!(picture(&text).pixels, picture(&none).pixels, "{change}");
+    }
+}
+
+/// A light with `media_interaction off` lights media by its photons, and by them alone (W0413).
+#[test]
+fn photons_light_media_without_interaction() {
+    let scene = |photons: &str| {
+        let object = "interior { media { scattering { 1, 0.1 } } }";
+        format!(
+            "global_settings {{ photons {{ spacing 0.1 {photons} }} }} camera {{ location -5*z }}\n\
+             light_source {{ -9*x, 1 media_interaction off photons {{ refraction on }} }}\n\
+             sphere {{ 0, 1 hollow pigment {{ rgbt 1 }} {object} photons {{ target refraction on }} }}\n"
+        )
+    };
+    let scratch = Scratch::new();
+    for (photons, is_warned) in [("media 100", false), ("", true)] {
+        scratch.put("mist.scene", &scene(photons));
+        let (_, err) = scratch.exits(0, "render mist.scene --size 4x3");
+        assert_eq!(err.contains("W0413"), is_warned, "{photons}: {err}");
     }
 }
