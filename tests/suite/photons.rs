@@ -92,7 +92,7 @@ fn photons_light_media_without_interaction() {
     };
     let scratch = Scratch::new();
     for (photons, is_warned) in [("media 100", false), ("", true)] {
-        scratch.put("mist.scene", &scene(photons));
+        scratch.put("mist.scene", scene(photons));
         let (_, err) = scratch.exits(0, "render mist.scene --size 4x3");
         assert_eq!(err.contains("W0413"), is_warned, "{photons}: {err}");
     }
