@@ -1,6 +1,6 @@
 //! Nodes with eight children, and the test of a ray against their boxes.
 
-use super::FlatRay;
+use super::flat_ray::FlatRay;
 use glam::{Vec3A, Vec4};
 
 /// Number of children of a BVH node.

@@ -6,12 +6,13 @@
 
 mod bounded;
 mod boxes;
+mod convex_parts;
 
 use super::child_bvh::ChildBvh;
 use super::convex_interval::{self, GatheredHits};
 use super::leaf::{Intersection, Intersections, Leaf};
 use crate::math::{DVec3, Range, Ray};
-use crate::shape::{End, Hits};
+use crate::shape::Hits;
 use boxes::Boxes;
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -326,54 +327,6 @@ impl SolidNode {
             _ if self.has_convex_parts() => self.closest_of_convex_parts(ray, range),
             _ => self.closest_survivor(ray, range),
         }
-    }
-
-    fn has_convex_parts(&self) -> bool {
-        self.composite.as_ref().is_some_and(|composite| composite.convex_parts)
-    }
-
-    fn closest_of_convex_parts<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let mut nearest = None;
-        let found = self.visit_unclipped_ends(ray, range, |end, leaf| {
-            nearest = Some((end, leaf));
-            // quirk: last_part_wins
-            ControlFlow::Continue(end.t.next_up())
-        });
-        match found {
-            Ok(()) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
-            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range),
-        }
-    }
-
-    fn any_of_convex_parts(&self, ray: &Ray, range: Range) -> bool {
-        let mut is_hit = false;
-        let found = self.visit_unclipped_ends(ray, range, |_, _| {
-            is_hit = true;
-            ControlFlow::Break(())
-        });
-        match found {
-            Ok(()) => is_hit,
-            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range).is_some(),
-        }
-    }
-
-    /// Calls `visit` with the hits in the range on an intersection or merge that are not clipped away, and the shape that is
-    /// hit. `visit` returns the distance up to which further hits count.
-    fn visit_unclipped_ends<'a>(
-        &'a self,
-        ray: &Ray,
-        range: Range,
-        mut visit: impl FnMut(End, &'a Leaf) -> ControlFlow<(), f64>,
-    ) -> Result<(), convex_interval::UnknownInterval> {
-        let Some((min, max)) = self.distances_through_box(ray, range) else { return Ok(()) };
-        let merged = matches!(self.kind, SolidKind::Merge(_));
-        convex_interval::visit_ends_on_surface(self.children(), merged, ray, Range { min, max }, |end, leaf| {
-            if self.is_inside_all_clips(ray.at(end.t)) {
-                visit(end, leaf)
-            } else {
-                ControlFlow::Continue(f64::INFINITY)
-            }
-        })
     }
 
     fn closest_of_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {

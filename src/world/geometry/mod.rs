@@ -1,5 +1,9 @@
 //! All objects that rays can hit, with a bounding volume hierarchy.
 
+mod shadow;
+
+pub use shadow::{LightFilters, ShadowRole};
+
 use super::halfspace::HalfSpaces;
 use super::instance::Instance;
 use super::leaf::{Intersection, Intersections, Leaf};
@@ -8,7 +12,6 @@ use crate::math::bvh::{self, Bvh, Shaft};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::value::Family;
 use serde::Serialize;
-use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// All objects that rays can hit, and a bounding volume hierarchy over the finite ones.
@@ -35,36 +38,6 @@ enum Item {
 /// Index of the object that occluded a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocker(usize);
-
-/// Effect of an object on the light of a shadow ray.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ShadowRole {
-    /// The object casts no shadow.
-    Ignored,
-    /// The object may transmit a part of the light.
-    Filters,
-    /// The object transmits no light.
-    Occludes,
-}
-
-/// The objects that may filter the light of one shadow ray, because the ray intersects their boxes.
-#[derive(Debug, Default)]
-pub struct LightFilters {
-    indices: SmallVec<[u32; 4]>,
-}
-
-impl LightFilters {
-    /// Adds the object with this index. (Not inlined: shadow rays that meet no such object are faster without this code.)
-    #[inline(never)]
-    fn push(&mut self, index: usize) {
-        self.indices.push(index as u32);
-    }
-
-    /// True if no object filters the light.
-    pub fn is_empty(&self) -> bool {
-        self.indices.is_empty()
-    }
-}
 
 /// An object that a shaft may hit.
 #[derive(Clone, Copy, Debug)]
@@ -219,50 +192,6 @@ impl Geometry {
             if is_hit { ControlFlow::Break(()) } else { ControlFlow::Continue(range.max) }
         });
         is_hit
-    }
-
-    /// Returns the objects that may filter the light of a shadow ray within the range, or `None` if an object occludes it
-    /// wholly; `role` returns the effect of an object by its number. Tests the object in `before` first, which occluded an
-    /// earlier ray from nearby, and stores the new occluder in `before`.
-    pub fn filters_unless_occluded(
-        &self,
-        ray: &Ray,
-        range: Range,
-        role: impl Fn(u32) -> ShadowRole,
-        before: &mut Option<Blocker>,
-    ) -> Option<LightFilters> {
-        if let Some(Blocker(i)) = *before {
-            let item = &self.items[i];
-            if role(item.object()) == ShadowRole::Occludes && item.any(ray, range) {
-                return None;
-            }
-        }
-        *before = None;
-        let mut filters = LightFilters::default();
-        self.visit_intersected_boxes(ray, range, |i, range| {
-            let item = &self.items[i];
-            match role(item.object()) {
-                ShadowRole::Occludes if item.any(ray, range) => {
-                    *before = Some(Blocker(i));
-                    return ControlFlow::Break(());
-                }
-                ShadowRole::Filters => filters.push(i),
-                ShadowRole::Occludes | ShadowRole::Ignored => {}
-            }
-            ControlFlow::Continue(range.max)
-        });
-        before.is_none().then_some(filters)
-    }
-
-    /// Appends all hits of the ray in the range on the objects that may filter its light to `out`, in no particular order.
-    pub fn add_hits_on_filters<'a>(
-        &'a self,
-        filters: &LightFilters,
-        ray: &Ray,
-        range: Range,
-        out: &mut Intersections<'a>,
-    ) {
-        filters.indices.iter().for_each(|&i| self.items[i as usize].hits(ray, range, out));
     }
 
     /// Returns true only if no ray of the shaft hits an accepted object at the distance `min` or farther away. Returns

@@ -1,0 +1,58 @@
+//! Hits on intersections and merges of a few shapes that know their intervals along a ray.
+
+use super::{SolidKind, SolidNode};
+use crate::math::{Range, Ray};
+use crate::shape::End;
+use crate::world::convex_interval;
+use crate::world::leaf::{Intersection, Leaf};
+use std::ops::ControlFlow;
+
+impl SolidNode {
+    pub(super) fn has_convex_parts(&self) -> bool {
+        self.composite.as_ref().is_some_and(|composite| composite.convex_parts)
+    }
+
+    pub(super) fn closest_of_convex_parts<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+        let mut nearest = None;
+        let found = self.visit_unclipped_ends(ray, range, |end, leaf| {
+            nearest = Some((end, leaf));
+            // quirk: last_part_wins
+            ControlFlow::Continue(end.t.next_up())
+        });
+        match found {
+            Ok(()) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
+            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range),
+        }
+    }
+
+    pub(super) fn any_of_convex_parts(&self, ray: &Ray, range: Range) -> bool {
+        let mut is_hit = false;
+        let found = self.visit_unclipped_ends(ray, range, |_, _| {
+            is_hit = true;
+            ControlFlow::Break(())
+        });
+        match found {
+            Ok(()) => is_hit,
+            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range).is_some(),
+        }
+    }
+
+    /// Calls `visit` with the hits in the range on an intersection or merge that are not clipped away, and the shape that is
+    /// hit. `visit` returns the distance up to which further hits count.
+    fn visit_unclipped_ends<'a>(
+        &'a self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(End, &'a Leaf) -> ControlFlow<(), f64>,
+    ) -> Result<(), convex_interval::UnknownInterval> {
+        let Some((min, max)) = self.distances_through_box(ray, range) else { return Ok(()) };
+        let merged = matches!(self.kind, SolidKind::Merge(_));
+        convex_interval::visit_ends_on_surface(self.children(), merged, ray, Range { min, max }, |end, leaf| {
+            if self.is_inside_all_clips(ray.at(end.t)) {
+                visit(end, leaf)
+            } else {
+                ControlFlow::Continue(f64::INFINITY)
+            }
+        })
+    }
+}
