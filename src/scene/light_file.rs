@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// First bytes of each file in which durer saves photons or radiosity samples.
 pub(super) const MAGIC: [u8; 6] = *b"\x89durer";
 /// Version of the format of durer's files of saved photons and radiosity samples.
-pub(super) const VERSION: u8 = 1;
+pub(super) const VERSION: u8 = 2;
 /// Length of a digest in bytes.
 const DIGEST: usize = 32;
 /// Length in bytes of the head of a file of saved photons or radiosity samples.
@@ -79,7 +79,7 @@ impl LightKind {
     fn record_length(self) -> usize {
         match self {
             Self::Photons => 9 * 4 + 1,
-            Self::Radiosity => 10 * 8 + 1,
+            Self::Radiosity => 14 * 8 + 1,
         }
     }
 
@@ -114,10 +114,12 @@ impl LightKind {
                 numbers.iter().all(|x| x.is_finite()) && is_unit(&numbers[6..9]) && last[0] < 3
             }
             Self::Radiosity => {
-                let numbers: [f64; 10] = decode_numbers(numbers, f64::from_le_bytes);
-                let radius = numbers[9];
+                let numbers: [f64; 14] = decode_numbers(numbers, f64::from_le_bytes);
+                let (toward_nearest, radius, nearest) = (&numbers[9..12], numbers[12], numbers[13]);
                 numbers.iter().all(|x| x.is_finite())
                     && is_unit(&numbers[3..6])
+                    && (is_unit(toward_nearest) || toward_nearest == [0.0; 3])
+                    && (0.0..=radius).contains(&nearest)
                     && (f64::MIN_POSITIVE..=MAX_RADIUS).contains(&radius)
                     && last[0] <= MAX_DEPTH
             }
@@ -284,7 +286,7 @@ mod tests {
                     numbers.iter().for_each(|x| writer.push(&x.to_le_bytes()).unwrap());
                 }
                 LightKind::Radiosity => {
-                    let numbers = [i as f64, 2.0, 3.0, 0.0, 0.0, 1.0, 0.1, 0.2, 0.3, 0.5];
+                    let numbers = [i as f64, 2.0, 3.0, 0.0, 0.0, 1.0, 0.1, 0.2, 0.3, 1.0, 0.0, 0.0, 0.5, 0.4];
                     numbers.iter().for_each(|x| writer.push(&x.to_le_bytes()).unwrap());
                 }
             }
@@ -323,7 +325,17 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_an_error_in_spite_of_the_hash() {
-        for (at, number) in [(72, 1e200), (0, f64::NAN), (8, f64::INFINITY), (72, 0.0), (72, -1.0), (24, 2.0)] {
+        for (at, number) in [
+            (96, 1e200),
+            (0, f64::NAN),
+            (8, f64::INFINITY),
+            (96, 0.0),
+            (96, -1.0),
+            (24, 2.0),
+            (72, 0.5),
+            (104, 0.6),
+            (104, -0.1),
+        ] {
             let mut bytes = file(LightKind::Radiosity, 2);
             bytes[HEAD + at..HEAD + at + 8].copy_from_slice(&f64::to_le_bytes(number));
             bytes.truncate(bytes.len() - DIGEST);

@@ -14,9 +14,8 @@ const MAX_SAMPLES: usize = 8 << 20;
 /// Maximum radius of the sphere in which a radiosity sample may be reused, so that the sphere overlaps at most 8 cells
 /// of the widest grid.
 const MAX_REACH: f64 = 1e300;
-/// Minimum cosine of the angle between the normals of a sample and of a point that uses it.
-const MIN_COSINE: f64 = 0.5;
-/// Distance in front of a sample, as a share of its radius, up to which points may use it.
+/// Height of a sample above the tangent plane of a point, as a share of the distance between them, up to which the point
+/// may use it.
 const MAX_IN_FRONT: f64 = 0.05;
 
 /// Light that was gathered at a point of a surface.
@@ -30,6 +29,10 @@ pub struct Sample {
     pub light: Rgb,
     /// Harmonic mean of the distances to other surfaces, limited by the settings.
     pub radius: f64,
+    /// Distance to the nearest surface that the sample's rays hit, at most `radius`.
+    pub nearest: f64,
+    /// Direction to that surface, length 1; zero if the rays hit none.
+    pub toward_nearest: DVec3,
     /// Number of diffuse bounces between the camera ray and the point.
     pub depth: u8,
 }
@@ -41,6 +44,15 @@ pub struct Blend {
     weight: f64,
     /// Number of radiosity samples in the weighted sum.
     pub count: u32,
+}
+
+impl Sample {
+    /// Returns the sample's radius in the direction of the vector `between`, which has this length: the nearest surface
+    /// limits it in the directions toward that surface, since light changes fast there.
+    fn radius_along(&self, between: DVec3, length: f64) -> f64 {
+        let approach = between.dot(self.toward_nearest);
+        if approach > 0.0 { self.radius + (self.nearest - self.radius) * (approach / length) } else { self.radius }
+    }
 }
 
 impl Blend {
@@ -136,12 +148,11 @@ impl RadiosityCache {
     /// Adds to `blend` all radiosity samples of the cache that may be reused for the query, each with its weight.
     pub fn add_to(&self, query: &Query, blend: &mut Blend) {
         let Some(grids) = self.grids.get(usize::from(query.depth)) else { return };
-        let inverse_bound = 1.0 / query.error_bound;
         for &grid in grids {
             let Some(cell) = self.cells.get(&(query.depth, grid, cell(query.point, grid))) else { continue };
             for &number in cell {
                 let sample = &self.samples[number as usize];
-                if let Some(weight) = weight(sample, query, inverse_bound) {
+                if let Some(weight) = weight(sample, query) {
                     blend.light += weight * sample.light;
                     blend.weight += weight;
                     blend.count += 1;
@@ -151,24 +162,28 @@ impl RadiosityCache {
     }
 }
 
-/// Returns the weight with which a radiosity sample is reused at a point: it falls to 0 at the maximum error; `None`
-/// beyond.
-fn weight(sample: &Sample, query: &Query, inverse_error_bound: f64) -> Option<f64> {
+/// Returns the weight with which a radiosity sample is reused at a point: 1 without error, 0 at the maximum error;
+/// `None` beyond.
+///
+/// The error is that of Ward et al. (1988), with twice the part of the normals. The weight falls as Tukey's biweight, so
+/// that the mean has no peaks at the samples.
+fn weight(sample: &Sample, query: &Query) -> Option<f64> {
     let between = query.point - sample.point;
     let distance2 = between.length_squared();
     let reach = sample.radius * query.error_bound;
     if distance2 >= reach * reach {
         return None;
     }
-    let cos = sample.normal.dot(query.normal);
+    let distance = distance2.sqrt();
     // Reject samples in front of the point, which light from other surfaces reaches.
-    if cos < MIN_COSINE || between.dot(sample.normal + query.normal) < -2.0 * MAX_IN_FRONT * sample.radius {
+    if between.dot(sample.normal + query.normal) < -2.0 * MAX_IN_FRONT * distance {
         return None;
     }
-    let error = distance2.sqrt() / sample.radius + (1.0 - cos).max(0.0).sqrt();
-    // The sample itself has no error: a lower limit keeps the weight finite.
-    let weight = 1.0 / error.max(1e-6) - inverse_error_bound;
-    (weight > 0.0).then_some(weight)
+    let cos = sample.normal.dot(query.normal);
+    let error = distance / sample.radius_along(between, distance) + 2.0 * (1.0 - cos).max(0.0).sqrt();
+    let share = error / query.error_bound;
+    let root = 1.0 - share * share;
+    (root > 0.0).then_some(root * root)
 }
 
 /// Returns the exponent of the least power of 2 that is greater than `width`, within limits: the cell width of the grid
@@ -190,7 +205,15 @@ mod tests {
     use super::*;
 
     fn sample(x: f64, light: f64, radius: f64) -> Sample {
-        Sample { point: DVec3::new(x, 0.0, 0.0), normal: DVec3::Y, light: Rgb::splat(light), radius, depth: 0 }
+        Sample {
+            point: DVec3::new(x, 0.0, 0.0),
+            normal: DVec3::Y,
+            light: Rgb::splat(light),
+            radius,
+            nearest: radius,
+            toward_nearest: DVec3::ZERO,
+            depth: 0,
+        }
     }
 
     fn mean_at(cache: &RadiosityCache, x: f64, normal: DVec3) -> Option<f64> {
@@ -211,6 +234,48 @@ mod tests {
             }
             assert_eq!(mean_at(&cache, 0.51 * radius, DVec3::Y), None);
             assert_eq!(mean_at(&cache, 0.0, -DVec3::Y), None);
+        }
+    }
+
+    /// Returns how far along x from the only sample of a cache a point with `normal` may be to use it.
+    fn reach_along_x(sample: Sample, normal: DVec3, error_bound: f64) -> f64 {
+        let mut cache = RadiosityCache::new(error_bound);
+        cache.insert(sample);
+        let is_used = |x: f64| {
+            let query = Query { point: DVec3::new(x, 0.0, 0.0), normal, depth: 0, error_bound };
+            let mut blend = Blend::default();
+            cache.add_to(&query, &mut blend);
+            blend.count > 0
+        };
+        (1..=1000).map(|i| f64::from(i) / 1000.0).take_while(|&x| is_used(x)).last().unwrap_or(0.0)
+    }
+
+    #[test]
+    fn the_nearest_surface_limits_the_reach_toward_it() {
+        // POV-Ray 3.7 reaches 0.0975, 0.149, 0.294 and 0.419 in these directions, and 0.489 with no surface near.
+        for (degrees, reach) in [(0.0, 0.1), (30.0, 0.1536), (60.0, 0.3), (80.0, 0.4305), (180.0, 0.5)] {
+            let (sin, cos) = f64::to_radians(degrees).sin_cos();
+            let near = Sample { nearest: 0.2, toward_nearest: DVec3::new(cos, sin, 0.0), ..sample(0.0, 1.0, 1.0) };
+            assert!((reach_along_x(near, DVec3::Y, 0.5) - reach).abs() < 0.002, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn other_normals_limit_the_reach() {
+        // POV-Ray 3.7 reaches 0.653, 0.388 and 0.153 with these angles between the normals.
+        for (degrees, reach) in [(9.1_f64, 0.676), (19.9, 0.411), (29.8, 0.173), (40.0, 0.0)] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let tilted = Sample { normal: DVec3::new(sin, cos, 0.0), ..sample(0.0, 1.0, 1.0) };
+            assert!((reach_along_x(tilted, DVec3::Y, 0.9) - reach).abs() < 0.003, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn samples_in_front_of_a_point_are_not_used() {
+        for (height, is_used) in [(-0.2, true), (0.0, true), (0.014, true), (0.016, false), (0.2, false)] {
+            let mut cache = RadiosityCache::new(0.5);
+            cache.insert(Sample { point: DVec3::new(0.0, height, 0.0), ..sample(0.0, 1.0, 1.0) });
+            assert_eq!(mean_at(&cache, 0.3, DVec3::Y).is_some(), is_used, "{height}");
         }
     }
 

@@ -125,6 +125,7 @@ impl Tracer<'_> {
         let (x, y) = at.normal.any_orthonormal_pair();
         let (tangent, bitangent) = (x * cos + y * sin, y * cos - x * sin);
         let (mut light, mut inverse_distances) = (Rgb::ZERO, 0.0);
+        let (mut nearest, mut toward_nearest) = (f64::INFINITY, DVec3::ZERO);
         for i in 0..count {
             let d = all[(start + i) % all.len()];
             let dir = (tangent * d.x + bitangent * d.y + at.normal * d.z).normalize();
@@ -136,6 +137,9 @@ impl Tracer<'_> {
             let (incoming, distance) =
                 self.radiance_and_first_distance(RayState::gather(Ray::new(at.point, dir), at, rank));
             inverse_distances += 1.0 / distance;
+            if distance < nearest {
+                (nearest, toward_nearest) = (distance, dir);
+            }
             let most = incoming.max_element();
             let is_limited = settings.max_sample > 0.0 && most > settings.max_sample;
             light += if is_limited { incoming * (settings.max_sample / most) } else { incoming };
@@ -150,7 +154,15 @@ impl Tracer<'_> {
         let radius = harmonic.clamp(minimum * eye, maximum * eye);
         // (A camera on the surface, and a distance that is not a number, leave no radius.)
         let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(maximum * 1e-6) };
-        Sample { point: at.point, normal: at.normal, light: light / n, radius, depth: at.depth }
+        Sample {
+            point: at.point,
+            normal: at.normal,
+            light: light / n,
+            radius,
+            nearest: nearest.min(radius),
+            toward_nearest,
+            depth: at.depth,
+        }
     }
 
     /// Returns the radiance along a ray that gathers light, times the ray's throughput, and the distance of its first

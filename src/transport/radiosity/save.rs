@@ -26,9 +26,9 @@ impl RadiosityState<'_> {
         let counts = [self.n_samples() as u64, 0];
         let mut writer = LightWriter::new(out, &LightHeader { kind: LightKind::Radiosity, scene, computation, counts });
         for sample in self.cache.samples() {
-            let Sample { point, normal, light, radius, depth } = sample;
-            let vectors = [point.to_array(), normal.to_array(), light.to_array()];
-            let numbers = vectors.as_flattened().iter().chain([radius]);
+            let Sample { point, normal, light, radius, nearest, toward_nearest, depth } = sample;
+            let vectors = [point, normal, light, toward_nearest].map(|vector| vector.to_array());
+            let numbers = vectors.as_flattened().iter().chain([radius, nearest]);
             numbers.into_iter().try_for_each(|number| writer.push(&number.to_le_bytes()))?;
             writer.push(&[*depth])?;
         }
@@ -39,12 +39,14 @@ impl RadiosityState<'_> {
 impl Sample {
     /// Decodes a radiosity sample from its bytes in a file of saved samples.
     fn from_bytes(record: &[u8]) -> Self {
-        let [px, py, pz, nx, ny, nz, r, g, b, radius] = decode_numbers(record, f64::from_le_bytes);
+        let [px, py, pz, nx, ny, nz, r, g, b, tx, ty, tz, radius, nearest] = decode_numbers(record, f64::from_le_bytes);
         Self {
             point: DVec3::new(px, py, pz),
             normal: DVec3::new(nx, ny, nz),
             light: Rgb::new(r, g, b),
             radius,
+            nearest,
+            toward_nearest: DVec3::new(tx, ty, tz),
             depth: record[record.len() - 1],
         }
     }
