@@ -24,7 +24,7 @@ pub(super) struct Typesetter<'a> {
     breaks: Vec<u32>,
     /// Number of unmatched opening braces minus closing ones, before each atom.
     loose: Vec<i32>,
-    /// Number of blanks before each atom that keep a column aligned; see [`super::table`].
+    /// Number of additional blanks before each atom, which keep a column aligned; see [`super::table`].
     pub(super) pads: Vec<u8>,
     /// Number of unmatched brackets that are open before the current position.
     pub(super) open: i32,
@@ -106,7 +106,7 @@ impl<'a> Typesetter<'a> {
     fn must_begin_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
         let after_comment = self.must_end_line(previous) || self.is_multi_line_comment(previous);
-        let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.closes_block(i);
+        let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.is_matched_closing_bracket(i);
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
 
@@ -115,8 +115,8 @@ impl<'a> Typesetter<'a> {
         self.has(i, flag::LINE_COMMENT | flag::LONE)
     }
 
-    /// True for a brace that ends a body and can stay at the end of a line.
-    fn closes_block(&self, i: usize) -> bool {
+    /// True for a `}` or `]` with a partner, which can stay at the end of a line.
+    fn is_matched_closing_bracket(&self, i: usize) -> bool {
         matches!(self.read(i), "}" | "]") && !self.has(i, flag::UNMATCHED)
     }
 

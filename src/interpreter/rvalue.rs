@@ -104,24 +104,24 @@ impl<'a> Interpreter<'a> {
         }
         let base = &defaults.texture.layers[0];
         match word {
-            "pigment" => self.read_whole_block(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
-            "normal" => self.read_whole_block(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
-            "finish" => self.read_whole_block(|r, _| Finish::read(r, &base.finish)),
-            "color_map" | "colour_map" => self.read_whole_block(|r, _| ColorMap::read(r)),
-            "pigment_map" => self.read_whole_block(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
-            "normal_map" => self.read_whole_block(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
-            "slope_map" => self.read_whole_block(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
-            "texture_map" => self.read_whole_block(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
-            "media" => self.read_whole_block(|r, at| Media::read(r, at)),
-            "density" => self.read_whole_block(|r, _| Density::read(r)),
-            "density_map" => self.read_whole_block(|r, _| DensityMap::read_entries(r, &defaults.texture, false)),
-            "interior" => self.read_whole_block(|r, _| Interior::read(r, None)),
-            "material" => self.read_whole_block(|r, _| read_material(r, &defaults, None)),
-            "fog" => self.read_whole_block(|r, _| Fog::read(r)),
-            "rainbow" => self.read_whole_block(|r, at| Rainbow::read(r, at)),
-            "sky_sphere" => self.read_whole_block(|r, at| SkySphere::read(r, &defaults.texture, at)),
-            "camera" => self.read_whole_block(|r, at| read_camera(r, at, &defaults)),
-            "transform" => self.read_whole_block(|r, _| Ok(TransformThing(r.read_transform_contents()?))),
+            "pigment" => self.read_block_with(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
+            "normal" => self.read_block_with(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
+            "finish" => self.read_block_with(|r, _| Finish::read(r, &base.finish)),
+            "color_map" | "colour_map" => self.read_block_with(|r, _| ColorMap::read(r)),
+            "pigment_map" => self.read_block_with(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
+            "normal_map" => self.read_block_with(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
+            "slope_map" => self.read_block_with(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
+            "texture_map" => self.read_block_with(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
+            "media" => self.read_block_with(|r, at| Media::read(r, at)),
+            "density" => self.read_block_with(|r, _| Density::read(r)),
+            "density_map" => self.read_block_with(|r, _| DensityMap::read_entries(r, &defaults.texture, false)),
+            "interior" => self.read_block_with(|r, _| Interior::read(r, None)),
+            "material" => self.read_block_with(|r, _| read_material(r, &defaults, None)),
+            "fog" => self.read_block_with(|r, _| Fog::read(r)),
+            "rainbow" => self.read_block_with(|r, at| Rainbow::read(r, at)),
+            "sky_sphere" => self.read_block_with(|r, at| SkySphere::read(r, &defaults.texture, at)),
+            "camera" => self.read_block_with(|r, at| read_camera(r, at, &defaults)),
+            "transform" => self.read_block_with(|r, _| Ok(TransformThing(r.read_transform_contents()?))),
             _ => {
                 let error = self.unexpected_token("something that can be declared");
                 Err(error.maybe_help(hints::block_place_hint(word).map(Into::into)).into())
@@ -129,13 +129,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Opens the next block, reads the contents with `read`, which receives the block's span, and closes the block.
-    fn read_whole_block<T: Thing>(
+    /// Reads the next block. `read_contents` reads what is between the braces, which are consumed here; it receives the
+    /// span of the block's keyword.
+    fn read_block_with<T: Thing>(
         &mut self,
-        read: impl FnOnce(&mut Self, Span) -> Result<T>,
+        read_contents: impl FnOnce(&mut Self, Span) -> Result<T>,
     ) -> Result<Arc<dyn Thing>> {
         let at = self.take_token()?;
-        let thing = read(self, at)?;
+        let thing = read_contents(self, at)?;
         self.leave_block()?;
         Ok(Arc::new(thing))
     }

@@ -49,15 +49,15 @@ pub struct Triangles {
     pub smooth: Vec<[u32; 3]>,
     /// Indices of the surface coordinates at the corners of each triangle; empty if no triangle has any.
     pub mapped: Vec<[u32; 3]>,
-    /// Indices of the textures at the corners of each triangle, from 1 on; 0 is the texture of the whole mesh. Empty if
+    /// Numbers of the textures at the corners of each triangle, from 1 on; 0 is the texture of the whole mesh. Empty if
     /// no triangle has any.
     pub painted: Vec<[u32; 3]>,
 }
 
 impl Triangles {
     /// Adds a triangle to a mesh file's triangles; the optional lists begin when the first triangle has a value for
-    /// them.
-    pub fn push_triangle(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], material_slots: [u32; 3]) {
+    /// them. `textures_or_0` are numbers of textures or materials, from 1 on, or 0 without one.
+    pub fn push_triangle(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], textures_or_0: [u32; 3]) {
         let before = self.corners.len();
         let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
             if numbers != none || !list.is_empty() {
@@ -67,7 +67,7 @@ impl Triangles {
         };
         add(&mut self.smooth, normals, NONE);
         add(&mut self.mapped, uvs, NONE);
-        add(&mut self.painted, material_slots, [0; 3]);
+        add(&mut self.painted, textures_or_0, [0; 3]);
         self.corners.push(corners);
     }
 }
@@ -75,9 +75,9 @@ impl Triangles {
 /// Contents of a mesh file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshFile {
-    /// All triangles of the mesh file; the indices of their textures are those of the materials.
+    /// All triangles of the mesh file; the numbers of their textures are those of the materials.
     pub triangles: Triangles,
-    /// Materials of the mesh file; index 1 is the first.
+    /// Materials of the mesh file; the first has the number 1.
     pub materials: Vec<MeshMaterial>,
     /// Parts of the mesh file that were ignored, in words.
     pub remarks: Vec<String>,
@@ -111,7 +111,8 @@ impl MeshMaterial {
 /// Endings of the mesh files that can be read.
 pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 
-/// Reads a mesh file's bytes; `ending` is that of the file's name, which counts where the bytes do not decide.
+/// Reads a mesh file's bytes. The first bytes identify PLY and binary glTF; `ending`, that of the file's name, decides
+/// otherwise.
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.
@@ -127,7 +128,7 @@ pub fn read_mesh_file(bytes: &[u8], ending: &str, open: FileOpener) -> ReadResul
     if file.triangles.corners.is_empty() {
         return Err("it holds no triangles".into());
     }
-    let used = file.triangles.painted.iter().flatten().any(|slot| *slot != 0);
+    let used = file.triangles.painted.iter().flatten().any(|number| *number != 0);
     if !used {
         file.materials.clear();
         file.triangles.painted.clear();

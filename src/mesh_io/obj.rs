@@ -33,7 +33,7 @@ pub fn read_obj(bytes: &[u8], open: FileOpener) -> ReadResult<MeshFile> {
                 if found.is_none() && out.remarks.is_empty() {
                     out.remarks.push(format!("line {line}: there is no material `{name}`"));
                 }
-                state.slot = found.map_or(0, |i| i as u32 + 1);
+                state.material_or_0 = found.map_or(0, |i| i as u32 + 1);
             }
             _ => {}
         }
@@ -70,8 +70,8 @@ fn parse_numbers(rest: &str, min_count: usize, line: usize) -> ReadResult<[f64; 
 /// State of the reader of faces in an OBJ file.
 #[derive(Default)]
 struct State {
-    /// Index of the current material in an OBJ file.
-    slot: u32,
+    /// Number of the current material in an OBJ file, from 1 on; 0 without a material.
+    material_or_0: u32,
     corners: Vec<[Option<u32>; 3]>,
     points: Vec<Vec3>,
 }
@@ -98,13 +98,13 @@ impl State {
         }
         self.points.clear();
         self.points.extend(self.corners.iter().map(|c| all.vertices[c[0].unwrap_or(0) as usize]));
-        let Self { corners, points, slot, .. } = self;
+        let Self { corners, points, material_or_0, .. } = self;
         polygon::triangulate(points, |places| {
             let [corners, uvs, normals] = [0, 1, 2].map(|i| {
                 let [a, b, c] = places.map(|place| corners[place][i]);
                 a.zip(b).zip(c).map_or(NONE, |((a, b), c)| [a, b, c])
             });
-            all.push_triangle(corners, normals, uvs, [*slot; 3]);
+            all.push_triangle(corners, normals, uvs, [*material_or_0; 3]);
         });
         Ok(())
     }

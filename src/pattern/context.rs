@@ -88,7 +88,8 @@ pub trait Field {
         LocalBounds::UNKNOWN
     }
 
-    /// Returns a region outside of which the pattern's number is 0, before frequency, phase and wave.
+    /// Returns a region about the origin, a ball, cube, infinite cylinder or slab, outside of which the pattern's number
+    /// is 0, before frequency, phase and wave.
     fn support(&self) -> Option<Support> {
         None
     }

@@ -93,8 +93,8 @@ pub use support::Support;
 pub use tiling::Tiling;
 pub use triangular::Triangular;
 pub use warp::{
-    BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
-    Warp,
+    BlackHole, CubicWarp, CylindricalWarp, PlanarWarp, PlaneLayout, Repeat, SphericalWarp, ToroidalWarp,
+    TurbulenceWarp, Warp,
 };
 pub use waves::Waves;
 pub use wood::Wood;

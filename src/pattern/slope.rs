@@ -65,10 +65,10 @@ impl Readable for Slope {
 
     fn read_braced_params(r: &mut dyn Reader) -> Result<Self> {
         let towards = if r.accept("point_at")? { Towards::Point(r.vector()?) } else { read_direction(r)? };
-        let range = read_range(r)?;
+        let range = read_range_or_default(r)?;
         let mut altitude = None;
         if matches!(towards, Towards::Direction(_)) && r.accept("altitude")? {
-            let (up, range) = (r.vector()?, read_range(r)?);
+            let (up, range) = (r.vector()?, read_range_or_default(r)?);
             // POV-Ray ignores an altitude without a direction.
             altitude = (up != DVec3::ZERO).then(|| Box::new(Altitude { up, range }));
         }
@@ -89,7 +89,8 @@ fn read_vector(r: &mut dyn Reader) -> Result<DVec3> {
     Ok(vector)
 }
 
-fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
+/// Reads `low, high`, any two numbers, if a number comes next; returns 0 and 1 otherwise.
+fn read_range_or_default(r: &mut dyn Reader) -> Result<[f64; 2]> {
     match r.optional_float()? {
         Some(low) => Ok([low, r.float()?]),
         None => Ok([0.0, 1.0]),

@@ -32,7 +32,8 @@ impl Guard {
         format!("http://127.0.0.1:{}/{}/", self.port, self.token)
     }
 
-    /// Returns the rest of a path after the token.
+    /// Returns the rest of a path after the token. Refuses a request without the token, to another host or from another
+    /// page. `header` returns all values of a header by its name in lower case.
     ///
     /// # Errors
     /// The status and the reason of a refusal.

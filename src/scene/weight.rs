@@ -32,7 +32,7 @@ impl Weight {
         self.shapes
     }
 
-    /// Returns the depth and number of shapes of an object with these parts.
+    /// Returns this weight with parts added: the depth and number of shapes of an object with these parts.
     pub fn enclosing(self, parts: &[Object]) -> Self {
         parts.iter().map(|part| part.weight()).fold(self, |sum, part| Self {
             depth: sum.depth.max(part.depth + 1),

@@ -323,7 +323,7 @@ impl Kernel for Blob {
         let mut component = Component::new(span, base, axis, radius, strength)?;
         component.read_modifiers(kind, r, paints)?;
         r.leave_block()?;
-        self.textured |= component.slot != 0;
+        self.textured |= component.texture_number_or_0 != 0;
         self.components.push(component);
         Ok(true)
     }
@@ -335,7 +335,7 @@ impl Kernel for Blob {
             let field = component.field_at(p).abs();
             if field > 0.0 {
                 sum += field;
-                texture_weights.push((component.slot, field));
+                texture_weights.push((component.texture_number_or_0, field));
             }
         });
         texture_weights.iter_mut().for_each(|(_, share)| *share /= sum);

@@ -58,7 +58,7 @@ pub use shared::{Container, Curve, Formula, Frustum, Interpolation};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
-pub use sphere_sweep::{SphereSweep, Sweep};
+pub use sphere_sweep::{SphereSweep, SweepKind};
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
 pub use torus::Torus;
@@ -77,12 +77,12 @@ use std::sync::Arc;
 
 /// Storage of the textures that are embedded in a shape, numbered from 1.
 pub trait Paints {
-    /// Reads an embedded texture or a part of one, if it is next; returns false otherwise. `slot` is the number of the embedded
-    /// texture so far, and is updated.
+    /// Reads an embedded texture or a part of one, if it is next; returns false otherwise. `number_or_0` is the number of
+    /// the embedded texture so far, or 0 without one, and is updated.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    fn read_embedded_texture(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
+    fn read_embedded_texture(&mut self, number_or_0: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
     /// Reads one embedded texture of a list, in which consecutive textures are not layers; `None` if no texture is next.
     ///
@@ -101,8 +101,9 @@ pub trait Paints {
         r: &mut dyn Reader,
     ) -> Result<u32>;
 
-    /// Transforms one embedded texture; other users of the same texture keep theirs.
-    fn transform(&mut self, slot: &mut u32, by: &Transform);
+    /// Transforms one embedded texture and updates its number, because other users of the same texture keep theirs. 0, for
+    /// no embedded texture, stays unchanged.
+    fn transform(&mut self, number_or_0: &mut u32, by: &Transform);
 }
 
 family! {
@@ -120,7 +121,7 @@ delegate! {
         fn bounds_under(&self, m: &Transform) -> Aabb;
         fn pov_bounds(&self, m: &Transform) -> Aabb;
         fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
-        fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits);
+        fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits);
         fn closest(&self, ray: &Ray, range: Range) -> Option<Hit>;
         fn any_hit(&self, ray: &Ray, range: Range) -> bool;
         fn inside(&self, p: DVec3) -> bool;

@@ -163,7 +163,7 @@ impl Readable for Text {
         };
         let at = r.span();
         let name = name.map_or_else(|| r.text(), |name| Ok(name.to_string()))?;
-        let font = r.find_font(&name, at)?;
+        let font = r.find_font_or_substitute(&name, at)?;
         let string = r.text()?;
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);

@@ -41,8 +41,8 @@ pub enum Granularity {
     Tokens,
 }
 
-/// Parses a file into a syntax tree and the faults of its text: directives without `#end`, strings and comments without
-/// an end, brackets that nest too deeply. A tree is returned even for a faulty text.
+/// Parses a file into a syntax tree and the faults of its text, such as unbalanced directives, strings and comments
+/// without an end, and brackets that nest too deeply. A tree is returned even for a faulty text.
 pub fn parse(sources: &Sources, file: FileId, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
     parse_text(sources.text(file), sources.base(file), names, granularity)
 }

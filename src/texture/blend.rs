@@ -66,8 +66,9 @@ pub trait Entry: Clone {
     /// texture.
     fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self>;
 
-    /// Reads a declared value of a map if one comes next.
-    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>>;
+    /// Reads an item of a list such as `checker A, B` that has no block: a declared value, or a colour if a colour can
+    /// be a value of this type; `None` if neither comes next.
+    fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>>;
 }
 
 impl<T: Entry> Map<T>
@@ -139,7 +140,7 @@ pub fn read_list<T: Entry>(
             r.take_token()?;
             list.push(T::read_entry(r, defaults)?);
             r.leave_block()?;
-        } else if let Some(declared) = T::read_declared(r)? {
+        } else if let Some(declared) = T::read_declared_or_color(r)? {
             list.push(declared);
         } else {
             break;

@@ -91,7 +91,7 @@ impl Entry for Density {
     }
 
     /// Reads a declared density, or a colour, which is a density too.
-    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Density>()? {
             Some(density) => Some((*density).clone()),
             None if r.may_be_at_color()? => Some(Self(Pigment::solid(r.color()?))),

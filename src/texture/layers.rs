@@ -310,7 +310,7 @@ fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) 
                 list.push(Texture::read(r, base)?);
                 r.leave_block()?;
             }
-            Next::Thing("texture") => list.extend(Texture::read_declared(r)?),
+            Next::Thing("texture") => list.extend(r.thing::<Texture>()?.map(|texture| (*texture).clone())),
             Next::End if !list.is_empty() => break,
             _ => return Err(r.unexpected("`texture`").into()),
         }
@@ -342,7 +342,7 @@ impl Entry for Texture {
         }
     }
 
-    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Texture>()?.map(|texture| (*texture).clone()))
     }
 }

@@ -217,7 +217,7 @@ impl Entry for Normal {
         Self::read(r, defaults.layers[0].normal.as_deref(), defaults)
     }
 
-    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Normal>()?.map(|normal| (*normal).clone()))
     }
 }
@@ -231,7 +231,7 @@ impl Entry for Slope {
         Ok(Self { height: pair.x, slope: pair.y })
     }
 
-    fn read_declared(_: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared_or_color(_: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(None)
     }
 }

@@ -318,7 +318,7 @@ impl Entry for Pigment {
     }
 
     /// Reads a declared pigment, or a colour, which is a pigment too.
-    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),
             None if r.may_be_at_color()? => Some(Self::solid(r.color()?)),

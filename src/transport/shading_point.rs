@@ -321,15 +321,15 @@ fn each_material<'w>(
     }
     // quirk: embedded_shares_below_adc_bailout
     let mut seen = TextureWeights::new();
-    for (slot, share) in found.leaf.shape.texture_weights(surface.object_point, &found.hit) {
-        match seen.iter_mut().find(|(other, _)| *other == slot) {
+    for (number_or_0, share) in found.leaf.shape.texture_weights(surface.object_point, &found.hit) {
+        match seen.iter_mut().find(|(other, _)| *other == number_or_0) {
             _ if share < world.adc_bailout => {}
             Some((_, sum)) => *sum += share,
-            None => seen.push((slot, share)),
+            None => seen.push((number_or_0, share)),
         }
     }
-    for (slot, share) in seen {
-        let own = slot.checked_sub(1).and_then(|number| uncommon.embedded.get(number as usize));
+    for (number_or_0, share) in seen {
+        let own = number_or_0.checked_sub(1).and_then(|i| uncommon.embedded.get(i as usize));
         visit(own.unwrap_or(&part.outside), share);
     }
 }

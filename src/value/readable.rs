@@ -13,7 +13,7 @@ pub trait Readable: Sized + 'static {
     /// The words in `SPEC`, and how each is read.
     const WORDS: &'static [Row<Self>] = &[];
 
-    /// Reads the positional parameters, after the block's name or after its opening brace.
+    /// Reads the positional parameters. The block's name has been consumed, and its opening brace if it has one.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.

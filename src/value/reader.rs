@@ -160,8 +160,9 @@ pub trait Reader {
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// Returns the file storage that the scene may read.
     fn files(&self) -> &dyn Files;
-    /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
-    fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
+    /// Finds a font; a font with a similar design or durer's own font replaces a missing one, with a warning. Returns an
+    /// error for a file that the scene may not read, or that is no font. `at` is the span of the name.
+    fn find_font_or_substitute(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
     /// Finds and decodes a picture file. `format` is the word before the name, such as `jpeg`, whose endings complete a
     /// name without one. `at` is the span of the name.
     fn open_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Arc<Picture>>;

@@ -95,9 +95,10 @@ impl Leaf {
         self.shape.hits(&self.local(ray), range, out);
     }
 
-    /// Appends the hits of a shape that is clipped or a part of a CSG object; see [`Kernel::hits_in_csg`].
-    pub(super) fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.shape.hits_in_csg(&self.local(ray), range, out);
+    /// Appends the hits that a CSG object or a clipping solid can use, which may be fewer than all; see
+    /// [`Kernel::limited_hits_for_csg`]. The caller clips them.
+    pub(super) fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.shape.limited_hits_for_csg(&self.local(ray), range, out);
     }
 
     #[inline]

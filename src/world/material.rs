@@ -188,7 +188,8 @@ fn is_opaque(layer: &texture::Layer) -> bool {
     }
 }
 
-/// True if the layer reflects or has random grain, so that two evaluations at one point differ.
+/// True if the layer reflects or has random grain. Two evaluations at one point then differ, and two equal entries of a
+/// blend are not merged into one.
 fn reflects_or_has_grain(layer: &texture::Layer) -> bool {
     !layer.finish.reflection.is_without_reflection() || layer.finish.crand != 0.0
 }

@@ -31,7 +31,7 @@ pub enum ProgressDisplay {
 /// Sample layout of anti-aliasing.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AaMethod {
-    /// A lattice of 4 samples around the centre, and 5 more where these differ
+    /// 5 samples on a lattice for a pixel that differs from a neighbour, and 10 if these differ much
     Net,
     /// Cells of a grid: POV-Ray's first method
     Grid,

@@ -59,12 +59,12 @@ fn accepts_povray_options(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 
-/// True if the command has this long option, and for every word that is no long option. The commands `check` and `pick`
-/// lack the options for pictures.
-pub fn accepts_word(command: &str, word: &str) -> bool {
+/// True if the subcommand of durer takes the long option `durer_word`, such as `--width=640`, and for every word that is
+/// no long option. The subcommands `check` and `pick` lack the options for pictures.
+pub fn subcommand_takes_option(subcommand: &str, durer_word: &str) -> bool {
     let all = commands();
-    let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
-    let own = all.find_subcommand(command).into_iter().flat_map(Command::get_arguments);
+    let name = durer_word.split('=').next().and_then(|word| word.strip_prefix("--"));
+    let own = all.find_subcommand(subcommand).into_iter().flat_map(Command::get_arguments);
     name.is_none() || own.chain(all.get_arguments()).any(|a| a.get_long() == name)
 }
 
@@ -134,7 +134,7 @@ impl Translation<'_> {
         let options =
             self.option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
         let options = options
-            .filter(|own| accepts_word(command.get_name(), &own.name) && !is_set(&own.name))
+            .filter(|own| subcommand_takes_option(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
         let words =

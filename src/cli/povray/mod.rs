@@ -351,7 +351,7 @@ impl<'s> Translation<'s> {
         }
         self.translate_text_stream_options();
         let options = self.option_words(self.any_switch);
-        let known = |word: &OsString| mixed::accepts_word(&command, &word.to_string_lossy());
+        let known = |word: &OsString| mixed::subcommand_takes_option(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
         let mut words = vec![program, command.into()];
         words.extend(options);

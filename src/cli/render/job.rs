@@ -323,7 +323,7 @@ impl<'a> Job<'a> {
     fn render(&mut self, target: &Target, timing: Timing, finished: Option<&FinishedFrames>) -> Result {
         let (console, config, start) = (self.console, self.config, Instant::now());
         if config.dump.is_none() {
-            target.check_writable()?;
+            target.check_file_writable()?;
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
         let journal = self.lock(target)?;

@@ -59,7 +59,7 @@ impl PartialPicture {
         };
         let tiles = self.journal.finished_tiles_and_offsets().map_err(unreadable)?;
         let target = Target::of_file(&self.path, Encoding { alpha: true, ..Encoding::new(Format::Png) });
-        target.check_writable()?;
+        target.check_file_writable()?;
         let [width, height] = self.picture_size;
         let mut draft = target.start_draft()?;
         let mut writer = target.writer(draft.as_mut(), (width, height))?;

@@ -153,8 +153,9 @@ impl Target {
         Self { location: Location::File(path.with_file_name(name)), ..self.clone() }
     }
 
-    /// Checks that the picture's file can be written (E0004).
-    pub fn check_writable(&self) -> Result<()> {
+    /// Checks that the picture's file, if it has one, can be written and would replace only a picture, a shard or an empty
+    /// file (E0004).
+    pub fn check_file_writable(&self) -> Result<()> {
         match &self.location {
             Location::File(path) => {
                 check_replaces_only_picture(path)?;

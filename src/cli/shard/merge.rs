@@ -32,7 +32,7 @@ pub fn run(console: &Console, args: &MergeArgs) -> Result {
         ));
     }
     let target = Target::of_file(&args.picture, encoding);
-    target.check_writable()?;
+    target.check_file_writable()?;
     let mut draft = target.start_draft()?;
     let mut writer = target.writer(draft.as_mut(), (layout.width, layout.height))?;
     write_rows(&layout, &shards, &mut writer)?;

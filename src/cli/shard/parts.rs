@@ -123,7 +123,7 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
         return Err(Box::new(Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help)).into());
     }
     let target = Target::of_file(path, encoding);
-    target.check_writable()?;
+    target.check_file_writable()?;
     let mut draft = target.start_draft()?;
     let mut writer = target.writer(draft.as_mut(), (light.width, light.height))?;
     writer.write_rows(&light.pixels)?;

@@ -238,7 +238,7 @@ impl preview::Backend for RenderLoop {
         let size = (image.width, image.height);
         let save = || {
             let target = Target::new(&scene.input, &scene.args)?;
-            target.check_writable()?;
+            target.check_file_writable()?;
             let mut draft = target.start_draft()?;
             let mut writer = target.writer(draft.as_mut(), size)?;
             writer.write_rows(&image.pixels)?;

@@ -8,7 +8,8 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    /// Returns the token of an expression; `None` if splitting it or calling a macro made another token the next one.
+    /// Returns the token of an expression; `None` if the expression was split, so that its first part is now the next
+    /// element.
     pub(super) fn expr_token(&mut self, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         match &expr.kind {
             ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),

@@ -9,7 +9,11 @@ use std::sync::Arc;
 
 impl Interpreter<'_> {
     /// Finds and parses a font. A name without an extension is that of a TrueType file or else of an installed family.
-    pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
+    /// A font with a similar design or durer's own font replaces a missing one, with a warning.
+    ///
+    /// # Errors
+    /// A diagnostic for a file that the scene may not read, or that is no font.
+    pub(super) fn find_font_or_substitute(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_readable_file(&full, at)? {
             Some(path) => FontLocation::first_in_file(path),

@@ -312,8 +312,8 @@ impl Reader for Interpreter<'_> {
         self.read_function_if_sized()
     }
 
-    fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
-        self.find_font(name, at)
+    fn find_font_or_substitute(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
+        self.find_font_or_substitute(name, at)
     }
 
     fn skip_item(&mut self) -> Result<()> {

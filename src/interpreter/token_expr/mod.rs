@@ -118,7 +118,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads a number, vector, colour or string, and returns it with its span.
+    /// Reads a value and returns it with its span: a number, vector, colour or string, or anything else that a name can
+    /// be declared as, such as a texture. The caller checks the kind.
     pub(super) fn read_value(&mut self) -> Result<(Value, Span)> {
         self.read_expression(false)
     }

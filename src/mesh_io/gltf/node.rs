@@ -108,7 +108,7 @@ fn read_primitive(
             Err(format!("it has a corner {n}, and there are {}", positions.count))
         }
     };
-    let slot = primitive.material.map_or(0, |i| i as u32 + 1);
+    let material_or_0 = primitive.material.map_or(0, |i| i as u32 + 1);
     for face in 0..if primitive.mode == 4 { count / 3 } else { count.saturating_sub(2) } {
         // Every second triangle of a strip has the opposite orientation.
         let places = match primitive.mode {
@@ -119,7 +119,7 @@ fn read_primitive(
         let corners = [number(places[0])?, number(places[1])?, number(places[2])?];
         let of = |has: bool, first: usize| if has { corners.map(|n| n + first as u32) } else { NONE };
         let (smooth, mapped) = (of(normals.is_some(), first_normal), of(uvs.is_some(), first_uv));
-        triangles.push_triangle(of(true, first), smooth, mapped, [slot; 3]);
+        triangles.push_triangle(of(true, first), smooth, mapped, [material_or_0; 3]);
     }
     Ok(())
 }

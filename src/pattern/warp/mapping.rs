@@ -14,17 +14,18 @@ use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// Orientation of the pattern's plane in a mapping warp: with z the plane is unchanged, with any other direction it is
-/// turned.
+/// Orientation of the pattern's plane in a mapping warp, and growth of the plane with the distance.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Layout {
-    /// Direction of the pattern that is the depth of a mapping warp: a unit vector, or zero.
+pub struct PlaneLayout {
+    /// Direction of the pattern that is the depth of a mapping warp, a unit vector or zero. The plane is unchanged for z
+    /// and rotated for x and y; other directions mirror or shear the plane (quirk: `warp_orientation`), and zero maps all
+    /// points to the origin.
     pub orientation: DVec3,
     /// Exponent of the distance with which the pattern's plane grows in a mapping warp.
     pub dist_exp: f64,
 }
 
-impl Default for Layout {
+impl Default for PlaneLayout {
     fn default() -> Self {
         Self { orientation: DVec3::Z, dist_exp: 0.0 }
     }
@@ -35,14 +36,14 @@ const ORIENTATION: WordSpec =
 
 const DIST_EXP: WordSpec = word("dist_exp", ValueKind::Float, "0", "the pattern grows with this power of the distance");
 
-impl Layout {
+impl PlaneLayout {
     fn read_orientation(&mut self, r: &mut dyn Reader) -> Result<()> {
         set(&mut self.orientation, r.vector().map(DVec3::normalize_or_zero))
     }
 
     /// Returns the point of the pattern for (u, v) and a depth in a mapping warp.
     fn pattern_point(&self, u: f64, v: f64, depth: f64) -> DVec3 {
-        // A rotation only for directions along an axis (quirk: warp_orientation).
+        // A rotation only for x, y and z (quirk: warp_orientation); for y the depth is -y.
         let n = self.orientation;
         DVec3::new((n.y + n.z) * u + n.x * depth, (n.x + n.z) * v - n.y * depth, n.y * v - n.x * u + n.z * depth)
     }
@@ -55,7 +56,7 @@ impl Layout {
 
 /// Warp `cylindrical`, around the y axis: u is a part of a turn, v is y.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct CylindricalWarp(pub Layout);
+pub struct CylindricalWarp(pub PlaneLayout);
 
 impl Readable for CylindricalWarp {
     const SPEC: Spec = Spec {
@@ -89,7 +90,7 @@ impl Bend for CylindricalWarp {
 
 /// Warp `spherical`, around the origin: u is a part of a turn, v runs from pole to pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct SphericalWarp(pub Layout);
+pub struct SphericalWarp(pub PlaneLayout);
 
 impl Readable for SphericalWarp {
     const SPEC: Spec = Spec {
@@ -123,7 +124,7 @@ impl Bend for SphericalWarp {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ToroidalWarp {
     /// Orientation and growth of the pattern's plane in the toroidal warp.
-    pub layout: Layout,
+    pub layout: PlaneLayout,
     /// Major radius of the ring of the toroidal warp.
     pub major_radius: f64,
 }
@@ -144,7 +145,7 @@ impl Readable for ToroidalWarp {
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
-        Ok(Self { layout: Layout::default(), major_radius: 1.0 })
+        Ok(Self { layout: PlaneLayout::default(), major_radius: 1.0 })
     }
 }
 
@@ -169,7 +170,7 @@ impl Bend for ToroidalWarp {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PlanarWarp {
     /// Orientation of the planar warp's plane, which is its normal, of length 1 or 0.
-    pub layout: Layout,
+    pub layout: PlaneLayout,
     /// Distance of the planar warp's plane from the origin.
     pub distance: f64,
 }
@@ -195,7 +196,7 @@ impl Readable for PlanarWarp {
             orientation = r.vector()?.normalize_or_zero();
             distance = r.float()?;
         }
-        Ok(Self { layout: Layout { orientation, dist_exp: 0.0 }, distance })
+        Ok(Self { layout: PlaneLayout { orientation, dist_exp: 0.0 }, distance })
     }
 }
 
@@ -250,15 +251,15 @@ mod tests {
     fn turns_and_distances() {
         let p = DVec3::new(0.0, 0.3, 2.0);
         assert_eq!(CylindricalWarp::default().apply(p), DVec3::new(0.25, 0.3, 2.0));
-        let grown = CylindricalWarp(Layout { dist_exp: 1.0, ..Layout::default() });
+        let grown = CylindricalWarp(PlaneLayout { dist_exp: 1.0, ..PlaneLayout::default() });
         assert_eq!(grown.apply(p), DVec3::new(0.5, 0.3, 2.0));
-        let deep_y = CylindricalWarp(Layout { orientation: DVec3::Y, ..Layout::default() });
+        let deep_y = CylindricalWarp(PlaneLayout { orientation: DVec3::Y, ..PlaneLayout::default() });
         assert_eq!(deep_y.apply(p), DVec3::new(0.25, -2.0, 0.3));
     }
 
     #[test]
     fn the_inner_side_of_a_ring_is_the_edge() {
-        let ring = ToroidalWarp { layout: Layout::default(), major_radius: 2.0 };
+        let ring = ToroidalWarp { layout: PlaneLayout::default(), major_radius: 2.0 };
         assert_eq!(ring.apply(DVec3::new(3.0, 0.0, 0.0)), DVec3::new(0.0, 0.5, 1.0));
         assert_eq!(ring.apply(DVec3::new(1.0, 0.0, 0.0)), DVec3::new(0.0, 0.0, 1.0));
     }

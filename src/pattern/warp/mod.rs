@@ -7,7 +7,7 @@ mod repeat;
 mod turbulence;
 
 pub use black_hole::BlackHole;
-pub use mapping::{CubicWarp, CylindricalWarp, Layout, PlanarWarp, SphericalWarp, ToroidalWarp};
+pub use mapping::{CubicWarp, CylindricalWarp, PlanarWarp, PlaneLayout, SphericalWarp, ToroidalWarp};
 pub use repeat::Repeat;
 pub use turbulence::TurbulenceWarp;
 

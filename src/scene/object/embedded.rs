@@ -39,25 +39,25 @@ impl<'a> EmbeddedTextures<'a> {
         })
     }
 
-    /// Returns a copy of the texture with the number `slot`; the default texture for 0.
-    fn texture_in_slot(&self, slot: u32) -> Texture {
-        (*slot.checked_sub(1).map_or(&self.defaults.texture, |i| &self.textures[i as usize])).as_ref().clone()
+    /// Returns a copy of the embedded texture with this number, from 1 on; of the default texture for 0.
+    fn texture_or_default(&self, number_or_0: u32) -> Texture {
+        (*number_or_0.checked_sub(1).map_or(&self.defaults.texture, |i| &self.textures[i as usize])).as_ref().clone()
     }
 }
 
 impl Paints for EmbeddedTextures<'_> {
-    fn read_embedded_texture(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
+    fn read_embedded_texture(&mut self, number_or_0: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let texture = match next {
             Next::Block("texture") | Next::Thing("texture") => read_layers(r, self.defaults)?,
             _ => {
-                let mut texture = self.texture_in_slot(*slot);
+                let mut texture = self.texture_or_default(*number_or_0);
                 if !texture.read_part(r, next, &self.defaults.texture)? {
                     return Ok(false);
                 }
                 texture
             }
         };
-        *slot = self.add_texture(texture);
+        *number_or_0 = self.add_texture(texture);
         Ok(true)
     }
 
@@ -87,11 +87,11 @@ impl Paints for EmbeddedTextures<'_> {
         Ok(self.add_texture(Texture::from_mesh_material(material, picture, r, &self.defaults.texture)))
     }
 
-    fn transform(&mut self, slot: &mut u32, by: &Transform) {
-        if *slot != 0 {
-            let mut texture = self.texture_in_slot(*slot);
+    fn transform(&mut self, number_or_0: &mut u32, by: &Transform) {
+        if *number_or_0 != 0 {
+            let mut texture = self.texture_or_default(*number_or_0);
             texture.transform(by);
-            *slot = self.add_texture(texture);
+            *number_or_0 = self.add_texture(texture);
         }
     }
 }

@@ -251,7 +251,7 @@ impl Object {
             }
             _ => {
                 let mut texture = match &self.texture {
-                    Some(painted) => self.transformed_texture(painted),
+                    Some(painted) => self.texture_in_block_space(painted),
                     None => (*defaults.texture).clone(),
                 };
                 if !texture.read_part(r, next, &defaults.texture)? {
@@ -263,8 +263,10 @@ impl Object {
         Ok(true)
     }
 
-    /// Returns a copy of the object's texture with the object's transforms applied, for layers that are added now.
-    fn transformed_texture(&self, painted: &Painted) -> Texture {
+    /// Returns a copy of a texture of the object, in the space of the block around the object, so that layers or parts
+    /// can be added there. The copy has the transforms that the object got since the texture was set; none with
+    /// `uv_mapping`.
+    fn texture_in_block_space(&self, painted: &Painted) -> Texture {
         let mut texture = (*painted.texture).clone();
         let block_from_texture = painted.block_from_texture(&self.transform);
         if !self.uncommon.flags.uv_mapping && *block_from_texture != Transform::IDENTITY {
@@ -277,7 +279,7 @@ impl Object {
     fn with_layers(&self, below: Option<&Painted>, texture: Arc<Texture>, language: &Language) -> Painted {
         let layers = match below {
             Some(below) => {
-                let mut all = self.transformed_texture(below);
+                let mut all = self.texture_in_block_space(below);
                 all.layers.extend(texture.layers.iter().cloned());
                 all.untint_upper_layers(language);
                 Arc::new(all)

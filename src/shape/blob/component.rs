@@ -22,8 +22,9 @@ pub struct Component {
     /// Transform from component space to blob space, if the component is transformed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Transform>>,
-    /// Number of the texture of a blob's component (see [`Paints`]).
-    pub slot: u32,
+    /// Number of the texture of a blob's component (see [`Paints`]); 0 for the texture of the whole blob.
+    #[serde(rename = "slot")]
+    pub texture_number_or_0: u32,
     /// Half width of a blob's component in radii, for [`Component::pov_bounds`].
     #[serde(skip)]
     widening: f64,
@@ -166,9 +167,11 @@ impl Component {
         check_finite(span, &[base, axis], &[radius, strength])?;
         // A component of radius 0 adds nothing.
         let (radius, strength) = if radius == 0.0 { (1.0, 0.0) } else { (radius.abs(), strength) };
-        Ok(Self { base, axis, radius, strength, place: None, slot: 0, widening: 1.0 })
+        Ok(Self { base, axis, radius, strength, place: None, texture_number_or_0: 0, widening: 1.0 })
     }
 
+    /// Reads the transforms and the textures of a blob's component, up to the closing brace, which is not consumed. `kind`
+    /// is the component's keyword, for messages.
     pub(super) fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
         let mut cube = Cube::cube_around_axis(self.axis);
         loop {
@@ -181,12 +184,12 @@ impl Component {
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         cube.apply_transform(next, &step);
-                        paints.transform(&mut self.slot, &step);
+                        paints.transform(&mut self.texture_number_or_0, &step);
                         let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
                         self.place = Some(Box::new(place));
                     }
                 }
-                next if paints.read_embedded_texture(&mut self.slot, next, r)? => {}
+                next if paints.read_embedded_texture(&mut self.texture_number_or_0, next, r)? => {}
                 _ => {
                     let words = ["texture", "pigment", "normal", "finish", "translate", "rotate", "scale", "matrix"];
                     return Err(r.unknown_word(kind, &words).into());

@@ -316,7 +316,7 @@ impl Kernel for Isosurface {
     }
 
     /// Appends the first `max_trace` hits on the isosurface in front of the ray's origin, and all behind it.
-    fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.max_trace == u32::MAX {
             return self.hits(ray, range, out);
         }

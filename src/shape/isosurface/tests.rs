@@ -73,7 +73,7 @@ fn only_so_many_hits_as_max_trace_says() {
     let count = |max_trace: u32| {
         let shape = Isosurface { max_trace, open: true, ..Isosurface::new(sheets.clone()) };
         let mut hits = Hits::new();
-        shape.hits_in_csg(&ray, Range::FORWARD, &mut hits);
+        shape.limited_hits_for_csg(&ray, Range::FORWARD, &mut hits);
         assert_eq!(all_hits(&shape, &ray).len(), 5);
         hits.len()
     };

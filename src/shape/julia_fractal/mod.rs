@@ -402,7 +402,7 @@ impl Kernel for JuliaFractal {
     /// `julia_normal`). POV-Ray's normals of functions other than `sqr` and `cube` do not belong to the surface; there
     /// the iteration that escapes is used.
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        let rounds = if self.iteration_rule().has_proven_bound() {
+        let rounds = if self.iteration_rule().has_proven_deviation_bound() {
             self.iteration_count() + 1
         } else {
             self.iteration_of_max_length(p)

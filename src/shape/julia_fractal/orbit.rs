@@ -130,7 +130,7 @@ impl Rule {
         trail: &mut Trail,
     ) -> (bool, f64) {
         trail.clear();
-        let (exit, proved) = (escape_radius * escape_radius, self.has_proven_bound());
+        let (exit, proved) = (escape_radius * escape_radius, self.has_proven_deviation_bound());
         let mut stays = true;
         self.iterate_orbit(start_and_constant, count, |squares| {
             trail.push(squares);
@@ -175,8 +175,9 @@ impl Rule {
         }
     }
 
-    /// True if the divergence of neighbouring orbits of a Julia fractal has a proven bound.
-    pub fn has_proven_bound(self) -> bool {
+    /// True if the deviation between neighbouring orbits of a Julia fractal has a proven bound, which
+    /// `deviation_before` computes.
+    pub fn has_proven_deviation_bound(self) -> bool {
         matches!(self, Rule::Square | Rule::Cube | Rule::Pair(Function::Sqr))
     }
 

@@ -86,8 +86,8 @@ impl From<End> for Hit {
     }
 }
 
-/// Indices of the textures at a point of an object with their weights, which sum to 1. Index 0 is the object's own
-/// texture.
+/// Numbers of the textures at a point of an object with their weights, which sum to 1. Number 0 is the object's own
+/// texture; the embedded textures are counted from 1.
 pub type TextureWeights = smallvec::SmallVec<[(u32, f64); 3]>;
 
 /// Half-space: all points p with normal·p ≤ distance.
@@ -122,9 +122,10 @@ pub trait Kernel {
     /// Appends every hit on the shape with `range.min < t < range.max`, in any order.
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
 
-    /// Appends the hits that a CSG object or a clipping solid can use; limited by `max_trace` for an isosurface
-    /// (manual, "Isosurface"), and to the first hit for a `parametric` (quirk: `parametric_in_csg`).
-    fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    /// Appends the hits that a CSG object or a clipping solid can use, in any order. They can be fewer than all: in front
+    /// of the ray's origin, only the first `max_trace` of an isosurface (manual, "Isosurface"), and only the first of a
+    /// `parametric` (quirk: `parametric_in_csg`).
+    fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, range, out);
     }
 

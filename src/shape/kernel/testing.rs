@@ -216,7 +216,7 @@ impl Reader for NumberWordReader {
         unreachable!()
     }
 
-    fn find_font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
+    fn find_font_or_substitute(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
         Ok(Arc::new(crate::font::Font::built_in()))
     }
 

@@ -30,7 +30,7 @@ pub struct TriangleMesh {
     /// Number in the object of each texture of the mesh's file, by the index of the file's material; empty if the
     /// triangles store such numbers themselves.
     #[serde(skip)]
-    texture_weights: Vec<u32>,
+    texture_numbers: Vec<u32>,
 }
 
 impl TriangleMesh {
@@ -41,9 +41,9 @@ impl TriangleMesh {
     fn texture_weights(&self, hit: &Hit) -> TextureWeights {
         let Some(painted) = self.triangles.corner_textures(hit) else { return smallvec![(0, 1.0)] };
         let each = painted[0] & EACH_CORNER != 0;
-        let [a, b, c] = painted.map(|slot| slot & !EACH_CORNER).map(|slot| match slot.checked_sub(1) {
-            Some(look) if !self.texture_weights.is_empty() => self.texture_weights[look as usize],
-            _ => slot,
+        let [a, b, c] = painted.map(|number| number & !EACH_CORNER).map(|number| match number.checked_sub(1) {
+            Some(material) if !self.texture_numbers.is_empty() => self.texture_numbers[material as usize],
+            _ => number,
         });
         if a == b && b == c && !each {
             return smallvec![(a, 1.0)];

@@ -142,7 +142,7 @@ impl Mesh {
                 let at = r.take_token()?;
                 self.1.check_has_no_geometry(at)?;
                 let file = FileMesh::read(r)?;
-                self.0.texture_weights = file.add_material_textures(paints, r)?;
+                self.0.texture_numbers = file.add_material_textures(paints, r)?;
                 self.1.file = Some(file);
                 Ok(true)
             }
@@ -158,7 +158,7 @@ impl Mesh {
     }
 
     fn read_triangle(&mut self, smooth: bool, span: Span, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
-        let (mut corners, mut normals, mut uvs, mut texture_weights) = (NONE, NONE, NONE, [0; 3]);
+        let (mut corners, mut normals, mut uvs, mut texture_numbers) = (NONE, NONE, NONE, [0; 3]);
         let mut points = [DVec3::ZERO; 3];
         let Draft { triangles, known, .. } = &mut self.1;
         for i in 0..3 {
@@ -182,20 +182,20 @@ impl Mesh {
                 }
                 Next::Block("texture_list") => {
                     r.take_token()?;
-                    for slot in &mut texture_weights {
+                    for number in &mut texture_numbers {
                         let next = r.peek_next()?;
-                        *slot = match paints.read_listed_texture(next, r)? {
-                            Some(slot) => slot,
+                        *number = match paints.read_listed_texture(next, r)? {
+                            Some(number) => number,
                             None => return Err(r.unexpected("a texture for each of the three corners").into()),
                         };
                     }
                     r.leave_block()?;
-                    texture_weights = mark_textures_per_corner(texture_weights);
+                    texture_numbers = mark_textures_per_corner(texture_numbers);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
-                    let mut slot = 0;
-                    paints.read_embedded_texture(&mut slot, next, r)?;
-                    texture_weights = [slot; 3];
+                    let mut number = 0;
+                    paints.read_embedded_texture(&mut number, next, r)?;
+                    texture_numbers = [number; 3];
                 }
                 _ => return Err(r.unknown_word("triangle", &["uv_vectors", "texture", "texture_list"]).into()),
             }
@@ -204,7 +204,7 @@ impl Mesh {
         if Triangle::new(a, b, c).is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
-        triangles.push_triangle(corners, normals, uvs, texture_weights);
+        triangles.push_triangle(corners, normals, uvs, texture_numbers);
         Ok(())
     }
 }
@@ -408,17 +408,17 @@ fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Trip
                 if given == 3 || faces.is_empty() {
                     return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three");
                 }
-                let slot = checked_texture_slot(number, textures, span)?;
+                let texture = checked_texture_number(number, textures, span)?;
                 painted.resize(faces.len(), [0; 3]);
-                if let Some(texture_weights) = painted.last_mut() {
+                if let Some(texture_numbers) = painted.last_mut() {
                     // One texture applies to all corners, until another follows.
                     if given == 0 {
-                        *texture_weights = [slot; 3]
+                        *texture_numbers = [texture; 3]
                     } else {
-                        texture_weights[given] = slot
+                        texture_numbers[given] = texture
                     }
                     if given == 2 {
-                        *texture_weights = mark_textures_per_corner(*texture_weights);
+                        *texture_numbers = mark_textures_per_corner(*texture_numbers);
                     }
                 }
                 given += 1;
@@ -453,10 +453,11 @@ fn mark_textures_per_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
 
-fn checked_texture_slot(number: f64, textures: &[u32], span: Span) -> Result<u32> {
-    match textures.get(number as usize).filter(|_| number >= 0.0) {
-        Some(slot) => Ok(*slot),
-        None => Err(index_error("texture", number, "texture_list", textures.len(), span).into()),
+/// Returns the object's number of the texture at an index of the `texture_list`, from 0 on.
+fn checked_texture_number(index: f64, textures: &[u32], span: Span) -> Result<u32> {
+    match textures.get(index as usize).filter(|_| index >= 0.0) {
+        Some(number) => Ok(*number),
+        None => Err(index_error("texture", index, "texture_list", textures.len(), span).into()),
     }
 }
 

@@ -185,7 +185,7 @@ impl Kernel for Parametric {
 
     /// Appends the first hit on the parametric surface in front of the ray's origin, and those behind it (quirk:
     /// `parametric_in_csg`).
-    fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, Range { max: range.max.min(tolerance::SURFACE), ..range }, out);
         let first = self.closest(ray, Range { min: tolerance::SURFACE, max: range.max });
         out.extend(first.filter(|hit| range.contains(hit.t)));

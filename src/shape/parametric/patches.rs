@@ -156,20 +156,28 @@ impl Patch {
 }
 
 impl Line<'_> {
-    fn visit_hits(&self, patch: &Patch, depth: u32, scratch: &mut Vec<Slope>, found: &mut dyn FnMut(f64, DVec2)) {
+    /// Calls `found` with the ray's hits in a patch, which is halved at most `halvings_left` times; the centre of a
+    /// patch that is still undecided is reported as a hit.
+    fn visit_hits(
+        &self,
+        patch: &Patch,
+        halvings_left: u32,
+        scratch: &mut Vec<Slope>,
+        found: &mut dyn FnMut(f64, DVec2),
+    ) {
         if patch.bounds.slabs(self.ray, Range { max: self.far.get(), ..self.range }).is_none() {
             return;
         }
         match self.test_convergence(patch) {
             Verdict::Misses => {}
             Verdict::Meets(uv) => self.report_hit(self.of.point_at(uv), uv, found),
-            Verdict::Open if depth == 0 || patch.bounds.size().max_element() < self.smallest => {
+            Verdict::Open if halvings_left == 0 || patch.bounds.size().max_element() < self.smallest => {
                 self.report_hit(patch.middle, (patch.from + patch.to) * 0.5, found);
             }
             Verdict::Open if cancel::is_cancelled() => {}
             Verdict::Open => {
                 for half in patch.halve(self.of, scratch) {
-                    self.visit_hits(&half, depth - 1, scratch, found);
+                    self.visit_hits(&half, halvings_left - 1, scratch, found);
                 }
             }
         }

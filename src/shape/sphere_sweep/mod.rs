@@ -30,7 +30,7 @@ use std::ops::ControlFlow;
 /// Interpolation between the spheres of a sphere sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Sweep {
+pub enum SweepKind {
     /// Sphere sweep of straight tubes, each from one sphere to the next.
     Linear,
     /// Sphere sweep along a uniform cubic B-spline, which does not touch the spheres.
@@ -43,7 +43,7 @@ pub enum Sweep {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
     /// Interpolation between the spheres of the sphere sweep.
-    pub kind: Sweep,
+    pub kind: SweepKind,
     /// Pieces of the sphere sweep's path, in the order of the hierarchy.
     pub pieces: Vec<Piece>,
     #[serde(skip)]
@@ -66,13 +66,13 @@ const KINDS: [WordSpec; 3] = [
     ),
 ];
 
-impl Sweep {
+impl SweepKind {
     fn min_sphere_count(self) -> usize {
-        if self == Sweep::Linear { 2 } else { 4 }
+        if self == SweepKind::Linear { 2 } else { 4 }
     }
 
     fn build_pieces(self, balls: &[(DVec3, f64)]) -> Vec<Piece> {
-        if self == Sweep::Linear {
+        if self == SweepKind::Linear {
             return balls.windows(2).map(|w| Piece::straight(w[0], w[1])).collect();
         }
         // Weighted sums of spheres, in sixths.
@@ -84,7 +84,9 @@ impl Sweep {
             (c / 6.0, r / 6.0)
         };
         let weights = match self {
-            Sweep::Cubic => [[0.0, 6.0, 0.0, 0.0], [-1.0, 6.0, 1.0, 0.0], [0.0, 1.0, 6.0, -1.0], [0.0, 0.0, 6.0, 0.0]],
+            SweepKind::Cubic => {
+                [[0.0, 6.0, 0.0, 0.0], [-1.0, 6.0, 1.0, 0.0], [0.0, 1.0, 6.0, -1.0], [0.0, 0.0, 6.0, 0.0]]
+            }
             _ => [[1.0, 4.0, 1.0, 0.0], [0.0, 4.0, 2.0, 0.0], [0.0, 2.0, 4.0, 0.0], [0.0, 1.0, 4.0, 1.0]],
         };
         balls.windows(4).map(|w| Piece::curved(weights.map(|by| mixed(w, by)))).collect()
@@ -93,14 +95,14 @@ impl Sweep {
 
 impl SphereSweep {
     /// Creates the sphere sweep of these spheres: centres and radii.
-    pub fn new(kind: Sweep, balls: &[(DVec3, f64)]) -> Self {
+    pub fn new(kind: SweepKind, balls: &[(DVec3, f64)]) -> Self {
         let mut pieces = kind.build_pieces(balls);
         pieces.retain(|piece| bvh::fits_single_precision(&piece.bounds()));
         let (bvh, order) = Bvh::build(pieces.iter().map(Piece::bounds));
         let pieces: Vec<Piece> = order.into_iter().map(|i| pieces[i as usize].clone()).collect();
         let bounds = pieces.iter().map(Piece::bounds).fold(Aabb::EMPTY, Aabb::union);
         // quirk: extent_boxes (a negative radius is not considered)
-        let reach = if kind == Sweep::Cubic { 2.0 } else { 1.0 };
+        let reach = if kind == SweepKind::Cubic { 2.0 } else { 1.0 };
         let around =
             |(center, radius): &(DVec3, f64)| Aabb { min: *center - reach * radius, max: *center + reach * radius };
         let pov_bounds = balls.iter().map(around).fold(Aabb::EMPTY, Aabb::union);
@@ -195,8 +197,8 @@ impl Readable for SphereSweep {
     }
 }
 
-fn read_kind(r: &mut dyn Reader) -> Result<Sweep> {
-    for (kind, word) in [Sweep::Linear, Sweep::BSpline, Sweep::Cubic].into_iter().zip(KINDS) {
+fn read_kind(r: &mut dyn Reader) -> Result<SweepKind> {
+    for (kind, word) in [SweepKind::Linear, SweepKind::BSpline, SweepKind::Cubic].into_iter().zip(KINDS) {
         if r.accept(word.name)? {
             return Ok(kind);
         }

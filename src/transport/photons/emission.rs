@@ -61,7 +61,8 @@ pub struct Job {
 /// An emitted photon.
 pub struct Emitted {
     pub ray: Ray,
-    /// Solid angle of a cone's ray or area of a parallel ray, times the share of the light's power.
+    /// Solid angle of a cone's ray or area of a parallel ray, times the share of the light. The light's
+    /// colour is not included.
     pub measure: f64,
 }
 
@@ -95,7 +96,8 @@ impl Source {
         (2.0 * PI * length / self.step).round().max(1.0) as u32
     }
 
-    /// Returns the emitted photon with the index `number` in a ring: its ray, and its solid angle or area.
+    /// Returns the emitted photon with the index `number` in a ring: its ray, and its solid angle or area times the share
+    /// of the light. Rings are of directions from one point, or of origins of parallel rays.
     pub fn emit(&self, ring: u32, number: u32) -> Emitted {
         let n = self.n_in_ring(ring);
         let random = |which: u64| rng::random_unit(&[self.key, u64::from(ring), u64::from(number), which]) - 0.5;

@@ -223,7 +223,8 @@ impl SolidNode {
         self.hits_as(false, ray, range, out);
     }
 
-    /// Appends every hit in the range to `out`. `in_csg` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
+    /// Appends the hits in the range to `out`: every hit, or for a part of a CSG object (`in_csg`) the hits of
+    /// [`Kernel::limited_hits_for_csg`].
     pub(super) fn hits_as<'a>(&'a self, in_csg: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         if !self.crosses_all_bounds(ray) {
             return;
@@ -234,9 +235,9 @@ impl SolidNode {
                 let mut hits = Hits::new();
                 if !self.clip().is_empty() {
                     let Some(range) = self.range_in_box_and_clips(ray, range) else { return };
-                    leaf.hits_in_csg(ray, range, &mut hits);
+                    leaf.limited_hits_for_csg(ray, range, &mut hits);
                 } else if in_csg {
-                    leaf.hits_in_csg(ray, range, &mut hits);
+                    leaf.limited_hits_for_csg(ray, range, &mut hits);
                 } else {
                     leaf.hits(ray, range, &mut hits);
                 }

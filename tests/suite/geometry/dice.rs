@@ -69,7 +69,7 @@ impl Dice {
 
     /// A chain of balls; the path may turn sharply and intersect itself.
     pub fn sweep(&mut self) -> Shape {
-        let kind = [Sweep::Linear, Sweep::BSpline, Sweep::Cubic][self.below(3)];
+        let kind = [SweepKind::Linear, SweepKind::BSpline, SweepKind::Cubic][self.below(3)];
         let balls: Vec<(DVec3, f64)> =
             (0..4 + self.below(5)).map(|_| (self.vector(1.2), self.between(0.1, 0.4))).collect();
         Shape::from(SphereSweep::new(kind, &balls))

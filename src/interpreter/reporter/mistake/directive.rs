@@ -130,7 +130,7 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
     let by = if step < 0 { ", -1" } else { "" };
     let habit = CommonMistake::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
-    let start = source.line_text_file_offset();
+    let start = source.trimmed_line_offset_in_file();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
     Some(habit.code(codes::SYNTAX).leaves_undeclared(counter))
@@ -179,7 +179,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
 pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.line_without_comment();
     let (word, rest) = split_leading_name(statement)?;
-    if source.at != source.line_text_file_offset() || d.code == codes::UNKNOWN_DIRECTIVE {
+    if source.at != source.trimmed_line_offset_in_file() || d.code == codes::UNKNOWN_DIRECTIVE {
         return None;
     }
     let typed = rest.trim_start();

@@ -46,7 +46,7 @@ impl<'t> SourceLine<'t> {
     }
 
     /// Returns the offset of [`Self::line_without_comment`] in the source file.
-    pub(super) fn line_text_file_offset(&self) -> usize {
+    pub(super) fn trimmed_line_offset_in_file(&self) -> usize {
         let line = &self.text[self.line.clone()];
         self.line.start + line.len() - line.trim_start().len()
     }

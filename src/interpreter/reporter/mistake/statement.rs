@@ -28,7 +28,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
 pub(super) fn in_place_assignment(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = split_leading_non_keyword(source)?;
-    let start = source.line_text_file_offset();
+    let start = source.trimmed_line_offset_in_file();
     let typed = rest.trim_end_matches(';').trim_end();
     let (sign, value, length) = match typed {
         "++" => ("+", "1".to_string(), 2),
@@ -50,7 +50,7 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Comm
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
     let (name, rest) = split_leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
     let value = rest.trim_start().strip_prefix('=')?;
-    let start = source.line_text_file_offset();
+    let start = source.trimmed_line_offset_in_file();
     let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_up_to_semicolon(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).range(start..start + kind.len());
     Some(habit.code(codes::SYNTAX).leaves_undeclared(name))
