@@ -15,6 +15,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/area_illumination"],
     ),
     emulated_quirk(
+        "area_light_in_radiosity",
+        "To rays that gather light for radiosity, an area light is one light at the centre of its grid.",
+        &["light_cases/radiosity_area_light"],
+    ),
+    emulated_quirk(
         "area_light_subdivision",
         "The shadow of an area light is the mean over pieces of the grid, and each piece is the mean of its corners, \
          so lights inside the grid count more than those at its edge. A piece is subdivided where the light of its \

@@ -44,6 +44,8 @@ pub struct Blend {
     weight: f64,
     /// Number of radiosity samples in the weighted sum.
     pub count: u32,
+    /// Sum over these samples of 1 - error / maximum error.
+    pub closeness: f64,
 }
 
 impl Sample {
@@ -152,22 +154,23 @@ impl RadiosityCache {
             let Some(cell) = self.cells.get(&(query.depth, grid, cell(query.point, grid))) else { continue };
             for &number in cell {
                 let sample = &self.samples[number as usize];
-                if let Some(weight) = weight(sample, query) {
+                if let Some(share) = error_share(sample, query) {
+                    // Tukey's biweight: the mean has no peaks at the samples.
+                    let root = 1.0 - share * share;
+                    let weight = root * root;
                     blend.light += weight * sample.light;
                     blend.weight += weight;
                     blend.count += 1;
+                    blend.closeness += 1.0 - share;
                 }
             }
         }
     }
 }
 
-/// Returns the weight with which a radiosity sample is reused at a point: 1 without error, 0 at the maximum error;
-/// `None` beyond.
-///
-/// The error is that of Ward et al. (1988), with twice the part of the normals. The weight falls as Tukey's biweight, so
-/// that the mean has no peaks at the samples.
-fn weight(sample: &Sample, query: &Query) -> Option<f64> {
+/// Returns the error of a radiosity sample that is reused at a point, as a share of the maximum error; `None` from the
+/// maximum on. The error is that of Ward et al. (1988), with twice the part of the normals.
+fn error_share(sample: &Sample, query: &Query) -> Option<f64> {
     let between = query.point - sample.point;
     let distance2 = between.length_squared();
     let reach = sample.radius * query.error_bound;
@@ -182,8 +185,7 @@ fn weight(sample: &Sample, query: &Query) -> Option<f64> {
     let cos = sample.normal.dot(query.normal);
     let error = distance / sample.radius_along(between, distance) + 2.0 * (1.0 - cos).max(0.0).sqrt();
     let share = error / query.error_bound;
-    let root = 1.0 - share * share;
-    (root > 0.0).then_some(root * root)
+    (share < 1.0).then_some(share)
 }
 
 /// Returns the exponent of the least power of 2 that is greater than `width`, within limits: the cell width of the grid

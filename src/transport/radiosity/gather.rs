@@ -97,7 +97,7 @@ impl Tracer<'_> {
         let (query, mut blend) = (radiosity.query(at.point, at.normal, at.depth), Blend::default());
         radiosity.cache.add_to(&query, &mut blend);
         self.radiosity_cache.add_to(&query, &mut blend);
-        if blend.count < radiosity.wanted_sample_count(at.depth) && !self.is_stopped() {
+        if !radiosity.suffices(&blend, at.depth) && !self.is_stopped() {
             let sample = self.gather(radiosity, at);
             self.radiosity_cache.insert(sample);
             if at.depth == 0 && radiosity.pass != RadiosityPass::Final {
@@ -118,16 +118,17 @@ impl Tracer<'_> {
         let all = radiosity.directions(at.depth);
         let count = ray_count(settings, u32::from(at.depth)) as usize;
         // The point decides which rays of the pool are chosen, not the order of samples. Each sample also turns its directions
-        // about the normal by an angle of its own, so that errors of neighbours differ.
-        let own = rng::random_unit(&at.point.to_array().map(f64::to_bits));
-        let start = settings.pool.map_or(0, |_| (own * all.len() as f64) as usize);
-        let (sin, cos) = fp::sin_cos(TAU * own);
+        // about the normal by an angle of its own, and shifts them within their rings, so that errors of neighbours differ.
+        let [x, y, z] = at.point.to_array().map(f64::to_bits);
+        let [turn, shift] = [0, 1].map(|number| rng::random_unit(&[x, y, z, number]));
+        let start = settings.pool.map_or(0, |_| (turn * all.len() as f64) as usize);
+        let (sin, cos) = fp::sin_cos(TAU * turn);
         let (x, y) = at.normal.any_orthonormal_pair();
         let (tangent, bitangent) = (x * cos + y * sin, y * cos - x * sin);
         let (mut light, mut inverse_distances) = (Rgb::ZERO, 0.0);
         let (mut nearest, mut toward_nearest) = (f64::INFINITY, DVec3::ZERO);
         for i in 0..count {
-            let d = all[(start + i) % all.len()];
+            let d = all.direction((start + i) % all.len(), shift);
             let dir = (tangent * d.x + bitangent * d.y + at.normal * d.z).normalize();
             // Bumps can turn directions into the surface.
             if dir.dot(at.smooth) <= 0.0 {
@@ -150,8 +151,10 @@ impl Tracer<'_> {
         let n = count as f64;
         let eye = at.point.distance(radiosity.eye);
         let harmonic = n / inverse_distances;
-        let [minimum, maximum] = settings.reuse_radius_per_distance();
-        let radius = harmonic.clamp(minimum * eye, maximum * eye);
+        // (Errors after bounces average out over the rays of a sample, so the limits double with each bounce.)
+        let scale = f64::from(1_u32 << at.depth) * eye;
+        let [minimum, maximum] = settings.reuse_radius_per_distance().map(|share| share * scale);
+        let radius = harmonic.clamp(minimum, maximum);
         // (A camera on the surface, and a distance that is not a number, leave no radius.)
         let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(maximum * 1e-6) };
         Sample {

@@ -15,7 +15,7 @@ use crate::math::DVec3;
 use crate::scene::Radiosity;
 pub(super) use cache::RadiosityCache;
 use cache::{Blend, Query};
-use directions::directions;
+use directions::Directions;
 
 /// Radiosity of a frame: settings and the samples of all finished passes.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub struct RadiosityState<'w> {
     settings: &'w Radiosity,
     /// Directions about z of the rays of a radiosity sample, one list for each number of diffuse bounces; or, with a
     /// pool, one list that all samples choose from.
-    directions: Vec<Box<[DVec3]>>,
+    directions: Vec<Directions>,
     cache: RadiosityCache,
     /// Centre of the view, from which the limits of the radii are measured.
     eye: DVec3,
@@ -57,8 +57,10 @@ impl<'w> RadiosityState<'w> {
         Self {
             settings,
             directions: match settings.pool {
-                Some(pool) => vec![directions(pool)],
-                None => (0..settings.recursion_limit).map(|depth| directions(ray_count(settings, depth))).collect(),
+                Some(pool) => vec![Directions::new(pool)],
+                None => {
+                    (0..settings.recursion_limit).map(|depth| Directions::new(ray_count(settings, depth))).collect()
+                }
             },
             cache: RadiosityCache::new(settings.error_bound),
             eye,
@@ -87,16 +89,15 @@ impl<'w> RadiosityState<'w> {
         for sample in samples {
             let mut blend = Blend::default();
             self.cache.add_to(&self.query(sample.point, sample.normal, sample.depth), &mut blend);
-            if blend.count < self.wanted_sample_count(sample.depth) {
+            if !self.suffices(&blend, sample.depth) {
                 self.cache.insert(sample);
             }
         }
     }
 
     /// Returns the directions from which a sample after `bounces` bounces chooses its rays.
-    fn directions(&self, bounces: u8) -> &[DVec3] {
-        let list = self.directions.get(usize::from(bounces)).or(self.directions.last());
-        list.map_or(&[], |list| list)
+    fn directions(&self, bounces: u8) -> &Directions {
+        &self.directions[usize::from(bounces).min(self.directions.len() - 1)]
     }
 
     /// Returns the query for the radiosity samples near a point, with the maximum error of the present pass.
@@ -107,13 +108,16 @@ impl<'w> RadiosityState<'w> {
         Query { point, normal, depth: bounces, error_bound: self.settings.error_bound * factor }
     }
 
-    /// Returns the number of radiosity samples near a point below which a new one is computed in the present pass.
-    fn wanted_sample_count(&self, bounces: u8) -> u32 {
-        let nearest = (self.settings.nearest_count >> (2 * bounces).min(31)).max(1);
+    /// True if the samples that are reused at a point after `bounces` bounces are enough for the present pass, so that no
+    /// new one is computed.
+    fn suffices(&self, blend: &Blend, bounces: u8) -> bool {
         match self.pass {
-            RadiosityPass::Collect => nearest,
-            RadiosityPass::FillGaps if self.settings.always_sample => nearest,
-            RadiosityPass::FillGaps | RadiosityPass::Final => 1,
+            RadiosityPass::FillGaps if !self.settings.always_sample => blend.count > 0,
+            RadiosityPass::Final => blend.count > 0,
+            RadiosityPass::Collect | RadiosityPass::FillGaps => {
+                let quarters = (1_u64 << (2 * (u32::from(bounces) + 1)).min(62)) as f64;
+                blend.closeness >= f64::from(self.settings.nearest_count) / quarters
+            }
         }
     }
 }
