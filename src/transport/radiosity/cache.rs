@@ -1,17 +1,18 @@
 //! Cache of gathered light: samples with a radius, found by position (Ward, Rubinstein and Clear, A ray tracing solution
 //! for diffuse interreflection, 1988).
 //!
-//! A sample is listed in all cells of a grid that its sphere of influence overlaps. The grid's cells are at least as wide as
-//! the sphere, so that a sample is in at most 8 cells, and a query reads one cell of each grid.
+//! A sample is listed in all cells of a grid that its sphere of influence overlaps. The grid's cells are at least half as
+//! wide as the sphere, so that a sample is in at most 27 cells, and a query reads one cell of each grid.
 
 use crate::color::Rgb;
 use crate::math::DVec3;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
+use std::ops::ControlFlow;
 
 /// Maximum number of radiosity samples in the cache; later samples are used once and dropped.
 const MAX_SAMPLES: usize = 8 << 20;
-/// Maximum radius of the sphere in which a radiosity sample may be reused, so that the sphere overlaps at most 8 cells
+/// Maximum radius of the sphere in which a radiosity sample may be reused, so that the sphere overlaps at most 27 cells
 /// of the widest grid.
 const MAX_REACH: f64 = 1e300;
 /// Height of a sample above the tangent plane of a point, as a share of the distance between them, up to which the point
@@ -127,7 +128,7 @@ impl RadiosityCache {
         }
         let number = self.samples.len() as u32;
         let reach = (sample.radius * self.reach).min(MAX_REACH);
-        let grid = cell_width_exponent(2.0 * reach);
+        let grid = cell_width_exponent(reach);
         let depth = usize::from(sample.depth);
         if self.grids.len() <= depth {
             self.grids.resize(depth + 1, vec![]);
@@ -149,19 +150,42 @@ impl RadiosityCache {
 
     /// Adds to `blend` all radiosity samples of the cache that may be reused for the query, each with its weight.
     pub fn add_to(&self, query: &Query, blend: &mut Blend) {
+        self.visit_usable(query, |sample, share| {
+            // Tukey's biweight: the mean has no peaks at the samples.
+            let root = 1.0 - share * share;
+            let weight = root * root;
+            blend.light += weight * sample.light;
+            blend.weight += weight;
+            blend.count += 1;
+            blend.closeness += 1.0 - share;
+            ControlFlow::Continue(())
+        });
+    }
+
+    /// Returns the sum of 1 - error / maximum error over the radiosity samples that may be reused for the query, or only
+    /// over the first of them whose sum is at least `limit`.
+    pub fn closeness_up_to(&self, limit: f64, query: &Query) -> f64 {
+        let mut sum = 0.0;
+        self.visit_usable(query, |_, share| {
+            sum += 1.0 - share;
+            if sum >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        sum
+    }
+
+    /// Calls `visit` for the radiosity samples that may be reused for the query, each with its error as a share of the
+    /// maximum, until it breaks.
+    #[inline]
+    fn visit_usable(&self, query: &Query, mut visit: impl FnMut(&Sample, f64) -> ControlFlow<()>) {
         let Some(grids) = self.grids.get(usize::from(query.depth)) else { return };
         for &grid in grids {
             let Some(cell) = self.cells.get(&(query.depth, grid, cell(query.point, grid))) else { continue };
             for &number in cell {
                 let sample = &self.samples[number as usize];
-                if let Some(share) = error_share(sample, query) {
-                    // Tukey's biweight: the mean has no peaks at the samples.
-                    let root = 1.0 - share * share;
-                    let weight = root * root;
-                    blend.light += weight * sample.light;
-                    blend.weight += weight;
-                    blend.count += 1;
-                    blend.closeness += 1.0 - share;
+                if let Some(share) = error_share(sample, query)
+                    && visit(sample, share).is_break()
+                {
+                    return;
                 }
             }
         }

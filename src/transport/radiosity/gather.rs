@@ -1,7 +1,7 @@
 //! Samples of radiosity, and the light that surfaces reflect because of them.
 
 use super::cache::{Blend, Sample};
-use super::{RadiosityPass, RadiosityState, ray_count};
+use super::{RadiosityState, ray_count};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Ray, fp, rng};
 use crate::transport::direct_light::LitSurface;
@@ -92,17 +92,26 @@ impl Tracer<'_> {
         factor * settings.brightness * light.lerp(gray, settings.gray_threshold)
     }
 
-    /// Returns the mean radiance over the cosine-weighted hemisphere at a point, from near samples or a new one.
+    /// Returns the mean radiance over the cosine-weighted hemisphere at a point, from near samples or a new one. In a pass
+    /// that collects samples, nobody reads the light of a camera ray, and it is black.
     fn gathered_light(&mut self, radiosity: &RadiosityState, at: &GatherPoint) -> Rgb {
-        let (query, mut blend) = (radiosity.query(at.point, at.normal, at.depth), Blend::default());
+        let query = radiosity.query(at.point, at.normal, at.depth);
+        let wanted = radiosity.wanted_closeness(at.depth);
+        if at.depth == 0 && !radiosity.is_final() {
+            let mut closeness = radiosity.cache.closeness_up_to(wanted, &query);
+            closeness += self.radiosity_cache.closeness_up_to(wanted - closeness, &query);
+            if closeness < wanted && !self.is_stopped() {
+                let sample = self.gather(radiosity, at);
+                self.radiosity_cache.insert(sample);
+            }
+            return Rgb::ZERO;
+        }
+        let mut blend = Blend::default();
         radiosity.cache.add_to(&query, &mut blend);
         self.radiosity_cache.add_to(&query, &mut blend);
-        if !radiosity.suffices(&blend, at.depth) && !self.is_stopped() {
+        if blend.closeness < wanted && !self.is_stopped() {
             let sample = self.gather(radiosity, at);
             self.radiosity_cache.insert(sample);
-            if at.depth == 0 && radiosity.pass != RadiosityPass::Final {
-                return sample.light;
-            }
             if let Some(light) = blend.mean() {
                 let share = 1.0 / f64::from(blend.count + 1);
                 return light.lerp(sample.light, share);

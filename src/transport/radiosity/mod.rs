@@ -13,8 +13,8 @@ pub use cache::Sample;
 
 use crate::math::DVec3;
 use crate::scene::Radiosity;
+use cache::Query;
 pub(super) use cache::RadiosityCache;
-use cache::{Blend, Query};
 use directions::Directions;
 
 /// Radiosity of a frame: settings and the samples of all finished passes.
@@ -44,6 +44,9 @@ pub enum RadiosityPass {
 
 /// Minimum number of rays of a sample after the first bounce.
 const MIN_DEEPER_COUNT: u32 = 8;
+
+/// Sum of 1 - error / maximum error that any sample exceeds.
+const ANY_CLOSENESS: f64 = f64::MIN_POSITIVE;
 
 /// Returns the number of rays that are traced for a radiosity sample after `bounces` diffuse bounces: `count`, halved at
 /// each bounce, down to a minimum.
@@ -87,9 +90,9 @@ impl<'w> RadiosityState<'w> {
     /// have collected enough.
     pub fn merge(&mut self, samples: Vec<Sample>) {
         for sample in samples {
-            let mut blend = Blend::default();
-            self.cache.add_to(&self.query(sample.point, sample.normal, sample.depth), &mut blend);
-            if !self.suffices(&blend, sample.depth) {
+            let query = self.query(sample.point, sample.normal, sample.depth);
+            let wanted = self.wanted_closeness(sample.depth);
+            if self.cache.closeness_up_to(wanted, &query) < wanted {
                 self.cache.insert(sample);
             }
         }
@@ -108,15 +111,16 @@ impl<'w> RadiosityState<'w> {
         Query { point, normal, depth: bounces, error_bound: self.settings.error_bound * factor }
     }
 
-    /// True if the samples that are reused at a point after `bounces` bounces are enough for the present pass, so that no
-    /// new one is computed.
-    fn suffices(&self, blend: &Blend, bounces: u8) -> bool {
+    /// Returns the sum of 1 - error / maximum error over the radiosity samples that may be reused at a point after
+    /// `bounces` bounces, below which a new sample is computed in the present pass.
+    fn wanted_closeness(&self, bounces: u8) -> f64 {
         match self.pass {
-            RadiosityPass::FillGaps if !self.settings.always_sample => blend.count > 0,
-            RadiosityPass::Final => blend.count > 0,
+            RadiosityPass::FillGaps if !self.settings.always_sample => ANY_CLOSENESS,
+            RadiosityPass::Final => ANY_CLOSENESS,
+            // A quarter of `nearest_count`, and a quarter of that after each bounce
             RadiosityPass::Collect | RadiosityPass::FillGaps => {
-                let quarters = (1_u64 << (2 * (u32::from(bounces) + 1)).min(62)) as f64;
-                blend.closeness >= f64::from(self.settings.nearest_count) / quarters
+                let divisor = (1_u64 << (2 * (u32::from(bounces) + 1)).min(62)) as f64;
+                f64::from(self.settings.nearest_count) / divisor
             }
         }
     }
