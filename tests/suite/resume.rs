@@ -149,13 +149,13 @@ fn stale_or_damaged_journals_are_reported_and_ignored() {
     assert!(other.status.success() && err(&other).contains("rendered with other options"), "{}", err(&other));
     std::fs::write(scratch.at("a.png.unfinished"), &journal).unwrap();
     std::fs::write(scratch.at("a.scene"), SCENE.replace("<-5, 8, -6>", "<5, 8, -6>")).unwrap();
-    let changed = scratch.run(&format!("{words} --resume --max-time 0.2"));
+    let changed = scratch.run(&format!("{words} --resume --max-time 1"));
     assert!(err(&changed).contains("a.scene` has changed"), "{}", err(&changed));
     std::fs::write(scratch.at("a.scene"), SCENE).unwrap();
     let mut damaged = journal.clone();
     damaged[journal.len() / 2] ^= 1;
     std::fs::write(scratch.at("a.png.unfinished"), &damaged).unwrap();
-    let told = scratch.run(&format!("{words} --resume --max-time 0.2"));
+    let told = scratch.run(&format!("{words} --resume --max-time 1"));
     assert!(err(&told).contains("it is damaged"), "{}", err(&told));
     std::fs::write(scratch.at("a.png.unfinished"), &journal).unwrap();
     let anew = scratch.run(&format!("{words} --max-time 0.2"));

@@ -71,6 +71,8 @@ pub struct PhotonMap {
     powers: Vec<PhotonPower>,
     /// Axis of the division, by the index of the dividing photon.
     axes: Vec<u8>,
+    /// Minimum and maximum coordinates of the photons.
+    bounds: [[f32; 3]; 2],
 }
 
 impl PhotonMap {
@@ -94,9 +96,10 @@ impl PhotonMap {
             let padding = std::iter::repeat_n(f32::INFINITY, LEAF);
             photons.iter().map(|photon| photon.position[axis]).chain(padding).collect()
         });
+        let bounds = bounds(&photons);
         // (The standard library reuses the memory of `photons`.)
         let powers = photons.into_iter().map(|Photon { flux, dir, .. }| PhotonPower { flux, dir }).collect();
-        Self { positions, powers, axes }
+        Self { positions, powers, axes, bounds }
     }
 
     /// Returns the photons in the order of the tree, each with the axis of its division.
@@ -132,7 +135,12 @@ impl PhotonMap {
     pub fn find_nearest_and_radius(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
         found.clear();
         let mut search = Search { map: self, p: p.as_vec3().to_array(), limit: (radius * radius) as f32, count, found };
-        search.visit(0, self.len(), [0.0; 3]);
+        let [low, high] = self.bounds;
+        let apart = [0, 1, 2].map(|i| (low[i] - search.p[i]).max(search.p[i] - high[i]).max(0.0));
+        let [x, y, z] = apart;
+        if x * x + y * y + z * z < search.limit {
+            search.visit(0, self.len(), apart);
+        }
         f64::from(search.limit).sqrt()
     }
 
@@ -155,13 +163,7 @@ fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
         return;
     }
     // Axis along which the photons extend farthest
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for photon in &*photons {
-        for i in 0..3 {
-            low[i] = low[i].min(photon.position[i]);
-            high[i] = high[i].max(photon.position[i]);
-        }
-    }
+    let [low, high] = bounds(photons);
     let extent = |i: &usize| high[*i] - low[*i];
     let axis = (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
     let middle = photons.len() / 2;
@@ -171,6 +173,18 @@ fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
     let (axes_below, axes_above) = axes.split_at_mut(middle);
     sort_into_tree_order(below, axes_below);
     sort_into_tree_order(&mut above[1..], &mut axes_above[1..]);
+}
+
+/// Returns the minimum and maximum coordinates of photons; infinite ones, the minimum above the maximum, of an empty list.
+fn bounds(photons: &[Photon]) -> [[f32; 3]; 2] {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for photon in photons {
+        for i in 0..3 {
+            low[i] = low[i].min(photon.position[i]);
+            high[i] = high[i].max(photon.position[i]);
+        }
+    }
+    [low, high]
 }
 
 /// A search for the photons nearest to a point.
@@ -201,8 +215,19 @@ impl Search<'_> {
         apart_of_far[axis] = beyond;
         let [x, y, z] = apart_of_far;
         if x * x + y * y + z * z < self.limit {
-            self.visit_leaf(middle, middle + 1);
+            self.visit_one(middle);
             self.visit(far.0, far.1, apart_of_far);
+        }
+    }
+
+    /// Adds one photon if it is near enough.
+    #[inline]
+    fn visit_one(&mut self, i: usize) {
+        let position = self.map.position(i);
+        let [x, y, z] = [0, 1, 2].map(|axis| position[axis] - self.p[axis]);
+        let squared = x * x + y * y + z * z;
+        if squared < self.limit {
+            self.add(squared, i as u32);
         }
     }
 
