@@ -9,8 +9,6 @@ use std::sync::Arc;
 
 /// First bytes of each file in which durer saves photons or radiosity samples.
 pub(super) const MAGIC: [u8; 6] = *b"\x89durer";
-/// Version of the format of durer's files of saved photons and radiosity samples.
-pub(super) const VERSION: u8 = 2;
 /// Length of a digest in bytes.
 const DIGEST: usize = 32;
 /// Length in bytes of the head of a file of saved photons or radiosity samples.
@@ -83,6 +81,14 @@ impl LightKind {
         }
     }
 
+    /// Returns the version of the format, which changes when the records or the head do.
+    fn version(self) -> u8 {
+        match self {
+            Self::Photons => 1,
+            Self::Radiosity => 2,
+        }
+    }
+
     /// Returns the byte by which a file's head identifies the kind: photons or radiosity samples.
     fn number(self) -> u8 {
         self as u8 + 1
@@ -148,7 +154,7 @@ impl LightFile {
         };
         match rest {
             [number, ..] if *number == kind.other().number() => return Err(LightFileError::OtherKind),
-            [number, version, ..] if *number == kind.number() && *version != VERSION => {
+            [number, version, ..] if *number == kind.number() && *version != kind.version() => {
                 return Err(LightFileError::OtherVersion);
             }
             _ => {}
@@ -181,7 +187,7 @@ fn parse_head(bytes: &[u8], kind: LightKind) -> Option<LightHeader> {
         rest = after;
         Some(taken)
     };
-    if take(2)? != [kind.number(), VERSION] {
+    if take(2)? != [kind.number(), kind.version()] {
         return None;
     }
     let (scene, computation) = (take(DIGEST)?.try_into().ok()?, take(DIGEST)?.try_into().ok()?);
@@ -237,7 +243,7 @@ impl<'a> LightWriter<'a> {
     pub fn new(out: &'a mut dyn Write, header: &LightHeader) -> Self {
         let mut buffer = Vec::with_capacity(CHUNK + 128);
         buffer.extend(MAGIC);
-        buffer.extend([header.kind.number(), VERSION]);
+        buffer.extend([header.kind.number(), header.kind.version()]);
         buffer.extend(header.scene);
         buffer.extend(header.computation);
         header.counts.iter().for_each(|count| buffer.extend(count.to_le_bytes()));

@@ -4,12 +4,14 @@
 //! A file has a head (magic, kind, version of the format), and then the photons and the samples of radiosity: each is the
 //! length in bytes as a `u64`, 0 for none, and a file of light of that length.
 
-use super::light_file::{LightFile, LightFileError, LightKind, MAGIC, VERSION};
+use super::light_file::{LightFile, LightFileError, LightKind, MAGIC};
 use std::io::{self, Write};
 
 /// Byte in a file's head that identifies a file with both photons and radiosity samples, in place of the byte of a
 /// [`LightKind`].
 const KIND: u8 = 3;
+/// Version of the format of prepared light; the photons and radiosity samples have versions of their own.
+const VERSION: u8 = 1;
 
 /// Photons and radiosity samples of one picture.
 #[derive(Clone, Debug, Default, PartialEq)]
