@@ -45,7 +45,7 @@ pub enum RadiosityPass {
 /// Minimum number of rays of a sample after the first bounce.
 const MIN_DEEPER_COUNT: u32 = 8;
 
-/// Sum of 1 - error / maximum error that any sample exceeds.
+/// Sum of 1 - error / maximum error that a single usable sample reaches.
 const ANY_CLOSENESS: f64 = f64::MIN_POSITIVE;
 
 /// Returns the number of rays that are traced for a radiosity sample after `bounces` diffuse bounces: `count`, halved at
