@@ -229,6 +229,7 @@ fn cell(p: DVec3, exponent: i16) -> [i32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::fp;
 
     fn sample(x: f64, light: f64, radius: f64) -> Sample {
         Sample {
@@ -280,7 +281,7 @@ mod tests {
     fn the_nearest_surface_limits_the_reach_toward_it() {
         // POV-Ray 3.7 reaches 0.0975, 0.149, 0.294 and 0.419 in these directions, and 0.489 with no surface near.
         for (degrees, reach) in [(0.0, 0.1), (30.0, 0.1536), (60.0, 0.3), (80.0, 0.4305), (180.0, 0.5)] {
-            let (sin, cos) = f64::to_radians(degrees).sin_cos();
+            let (sin, cos) = fp::sin_cos(f64::to_radians(degrees));
             let near = Sample { nearest: 0.2, toward_nearest: DVec3::new(cos, sin, 0.0), ..sample(0.0, 1.0, 1.0) };
             assert!((reach_along_x(near, DVec3::Y, 0.5) - reach).abs() < 0.002, "{degrees}");
         }
@@ -290,7 +291,7 @@ mod tests {
     fn other_normals_limit_the_reach() {
         // POV-Ray 3.7 reaches 0.653, 0.388 and 0.153 with these angles between the normals.
         for (degrees, reach) in [(9.1_f64, 0.676), (19.9, 0.411), (29.8, 0.173), (40.0, 0.0)] {
-            let (sin, cos) = degrees.to_radians().sin_cos();
+            let (sin, cos) = fp::sin_cos(degrees.to_radians());
             let tilted = Sample { normal: DVec3::new(sin, cos, 0.0), ..sample(0.0, 1.0, 1.0) };
             assert!((reach_along_x(tilted, DVec3::Y, 0.9) - reach).abs() < 0.003, "{degrees}");
         }
