@@ -77,7 +77,7 @@ CAUSES = {
         for scene in ["advanced/benchmark/benchmark", "advanced/grenadine/grenadine", "lights/glassthing", "lights/phot_met_glass"]
     },
     "advanced/balcony/balcony": f"{RADIOSITY}, and photons are shot to other places. The FLIP error against POV-Ray's picture with more "
-    "samples of radiosity is 0.007 for POV-Ray's own picture, 0.012 for durer's, and 0.011 for durer's with more samples, whose photons are the same.",
+    "samples of radiosity is 0.007 for POV-Ray's own picture, 0.012 for durer's, and 0.011 for durer's with more samples. The number of photons stayed the same.",
     "advanced/optics": "photons in media: durer's beams are wider and brighter. With a factor of the spacing above 1 durer stores more photons "
     "on a ray than POV-Ray, and their light is 1.3 times POV-Ray's.",
     "subsurface/subsurface": "both programs choose the points where light enters at random. The FLIP error against POV-Ray's picture with 7.5 times "

@@ -16,8 +16,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "area_light_in_radiosity",
-        "To rays that gather light for radiosity, an area light is one light at the centre of its grid.",
-        &["light_cases/radiosity_area_light"],
+        "To rays that gather light for radiosity, and in the media that they cross, an area light is one light at the centre of its grid.",
+        &["light_cases/radiosity_area_light", "light_cases/radiosity_area_light_media"],
     ),
     emulated_quirk(
         "area_light_subdivision",

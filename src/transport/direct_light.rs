@@ -8,7 +8,7 @@ use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::LightSample;
-use crate::math::{DVec3, Ray, fp};
+use crate::math::{DVec3, fp};
 use crate::world::{LightSource, Lobe, Part};
 use std::f64::consts::FRAC_PI_2;
 
@@ -75,13 +75,9 @@ impl<'w> Tracer<'w> {
     fn reflected_light(&mut self, light: &LightSource, state: &RayState, surface: &impl LitSurface<'w>) -> Rgb {
         let center = light.emitter.sample(surface.point(), DVec3::ZERO);
         let source = Source { light, center: center.from };
-        // quirk: area_light_in_radiosity
-        let visibility = |tracer: &mut Self| match state.bounces {
-            0 => tracer.visibility(light, surface.point(), &center, &state.inside),
-            _ => tracer.point_visibility(light, Ray::new(surface.point(), center.from), center.distance, &state.inside),
-        };
-        let has_grid = self.context.quality.area_lights && state.bounces == 0;
-        let Some(area) = light.emitter.area.as_ref().filter(|area| area.illumination && has_grid) else {
+        let visibility =
+            |tracer: &mut Self| tracer.visibility(light, surface.point(), &center, &state.inside, state.bounces);
+        let Some(area) = self.light_grid(light, state.bounces).filter(|area| area.illumination) else {
             return self.reflected_sample(&center, source, state, surface, visibility);
         };
         // `area_illumination`: each light of the grid illuminates, with the shadow of the whole grid (quirk: `area_illumination_shadow`)

@@ -332,7 +332,8 @@ impl<'w> Tracer<'w> {
     fn phased_light_of(&mut self, stretch: &MediaStretch<'_, 'w>, light: &'w LightSource, p: DVec3) -> Rgb {
         let mut sample = light.emitter.sample(p, DVec3::ZERO);
         // quirk: area_illumination_in_media
-        if self.context.quality.area_lights && light.emitter.area.as_ref().is_some_and(|area| area.illumination) {
+        let SegmentContext { inside, bounces, .. } = *stretch.context;
+        if self.light_grid(light, bounces).is_some_and(|area| area.illumination) {
             sample.light = light.emitter.color;
         }
         if sample.light == Rgb::ZERO || !sample.from.is_finite() {
@@ -341,7 +342,8 @@ impl<'w> Tracer<'w> {
         // quirk: phase_of_several
         let cos = stretch.ray.dir.dot(sample.from);
         let phases: f64 = stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum();
-        phases / stretch.media.len() as f64 * sample.light * self.visibility(light, p, &sample, stretch.context.inside)
+        let visibility = self.visibility(light, p, &sample, inside, bounces);
+        phases / stretch.media.len() as f64 * sample.light * visibility
     }
 }
 

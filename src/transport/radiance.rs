@@ -64,7 +64,7 @@ impl<'w> Tracer<'w> {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
             let air = match self.meets_fog_or_media(state) {
-                true => self.endless_segment(&state.ray, &state.inside),
+                true => self.endless_segment(state),
                 false => Segment::NONE,
             };
             let all = air.in_front_of(self.background(state));
@@ -80,7 +80,7 @@ impl<'w> Tracer<'w> {
             return false;
         }
         if self.meets_fog_or_media(state) {
-            let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.light_set());
+            let air = self.segment(state, &Span::from_origin(hit.t()), part.light_set());
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
         }

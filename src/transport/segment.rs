@@ -3,6 +3,7 @@
 use super::interface::Interiors;
 use super::media::MediaStretch;
 use super::random::Purpose;
+use super::ray_state::RayState;
 use super::tracer::Tracer;
 use crate::atmosphere::{self, Segment};
 use crate::color::Rgb;
@@ -35,6 +36,8 @@ pub(super) struct SegmentContext<'a> {
     /// Number of the set of lights that media scatter, an index in [`crate::world::World::lit_by`]: the set of the surface
     /// at the segment's end, 0 without a surface (quirk: `media_lights`).
     pub light_set: u32,
+    /// Number of diffuse bounces between the camera and the segment.
+    pub bounces: u8,
     /// True for a shadow ray, for which the transmittance alone counts.
     pub is_shadow: bool,
 }
@@ -50,30 +53,29 @@ pub(super) struct ShadowSegments {
 }
 
 impl<'w> Tracer<'w> {
-    /// Returns the radiance added and the transmittance of air and media along a span of a ray of length 1. Solid (not
-    /// `hollow`) interiors hold no air and no media (quirk: `fog_needs_hollow`).
+    /// Returns the radiance added and the transmittance of air and media along a span of a ray with a normalized direction.
+    /// Solid (not `hollow`) interiors hold no air and no media (quirk: `fog_needs_hollow`).
     #[inline]
-    pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors, light_set: u32) -> Segment {
+    pub(super) fn segment(&mut self, state: &RayState, span: &Span, light_set: u32) -> Segment {
+        let RayState { ray, inside, bounces, .. } = state;
         let (has_air, has_media) = (self.has_air(), self.has_media());
         if self.is_filled(inside) {
             return Segment::NONE;
         }
-        let context = SegmentContext { inside, light_set, is_shadow: false };
+        let context = SegmentContext { inside, light_set, bounces: *bounces, is_shadow: false };
         let air = if has_air { self.air_segment(ray, span, &context) } else { Segment::NONE };
         if has_media { air.in_front_of(self.interior_media_segment(ray, span, &context)) } else { air }
     }
 
     /// Returns the radiance added and the transmittance along a ray of length 1 without a hit. Interiors without an end
     /// hold no media there (quirk: `endless_media`).
-    pub(super) fn endless_segment(&mut self, ray: &Ray, inside: &Interiors) -> Segment {
+    pub(super) fn endless_segment(&mut self, state: &RayState) -> Segment {
+        let RayState { ray, inside, bounces, .. } = state;
         if !self.has_air() || self.is_filled(inside) {
             return Segment::NONE;
         }
-        self.air_segment(
-            ray,
-            &Span::from_origin(Segment::FAR),
-            &SegmentContext { inside, light_set: 0, is_shadow: false },
-        )
+        let context = SegmentContext { inside, light_set: 0, bounces: *bounces, is_shadow: false };
+        self.air_segment(ray, &Span::from_origin(Segment::FAR), &context)
     }
 
     /// Returns the transmittance of air and media along a span of a shadow ray.
@@ -87,7 +89,7 @@ impl<'w> Tracer<'w> {
         if !segments.has_air && !segments.has_media || self.is_filled(inside) {
             return Rgb::ONE;
         }
-        let context = SegmentContext { inside, light_set: 0, is_shadow: true };
+        let context = SegmentContext { inside, light_set: 0, bounces: 0, is_shadow: true };
         let mut transmittance = Rgb::ONE;
         if segments.has_air {
             transmittance *= self.air_segment(ray, span, &context).transmittance;

@@ -155,7 +155,7 @@ impl<'w> Tracer<'w> {
             if sample.light == Rgb::ZERO || cos.is_nan() || cos == 0.0 {
                 continue;
             }
-            let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside);
+            let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside, exit.state.bounces);
             sum += sample.light * visibility * (cos * refracted(cos, exit.ior).transmittance);
         }
         if world.subsurface.as_ref().is_some_and(|settings| settings.radiosity) {
@@ -229,7 +229,7 @@ impl<'w> Tracer<'w> {
                 sum + *mask * (weight * 0.25 * dipole.albedo * fp::exp(-path / dipole.depth) / (1.0 + geometry))
             };
             let share = all.iter().zip(weights).fold(Rgb::ZERO, share);
-            let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside);
+            let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside, exit.state.bounces);
             sum += share * sample.light * visibility * (cos * entry.transmittance);
         }
         sum

@@ -6,7 +6,7 @@ use super::segment::{ShadowSegments, Span};
 use super::shading_point::{self, ShadingPoint};
 use super::tracer::Tracer;
 use crate::color::Rgb;
-use crate::light::LightSample;
+use crate::light::{Area, LightSample};
 use crate::math::{DVec3, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::{Intersection, Intersections, LightFilters, LightSource, ShadowRole, World};
@@ -22,8 +22,15 @@ struct ShadowRay<'a> {
 }
 
 impl Tracer<'_> {
+    /// Returns the grid of lights of an `area_light`; `None` for a light that is one point, as all lights are at low quality
+    /// levels and to rays after diffuse bounces (quirk: `area_light_in_radiosity`).
+    #[inline]
+    pub(super) fn light_grid<'a>(&self, light: &'a LightSource, bounces: u8) -> Option<&'a Area> {
+        light.emitter.area.as_ref().filter(|_| bounces == 0 && self.context.quality.area_lights)
+    }
+
     /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `inside`
-    /// lists the interiors that contain the point.
+    /// lists the interiors that contain the point; `bounces` is the number of diffuse bounces between camera and point.
     #[inline]
     pub(super) fn visibility(
         &mut self,
@@ -31,8 +38,9 @@ impl Tracer<'_> {
         point: DVec3,
         sample: &LightSample,
         inside: &Interiors,
+        bounces: u8,
     ) -> Rgb {
-        match light.emitter.area.as_ref().filter(|_| self.context.quality.area_lights) {
+        match self.light_grid(light, bounces) {
             Some(area) => self.area_visibility(light, area, point, sample, inside),
             None => self.point_visibility(light, Ray::new(point, sample.from), sample.distance, inside),
         }

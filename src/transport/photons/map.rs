@@ -175,7 +175,7 @@ fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
     sort_into_tree_order(&mut above[1..], &mut axes_above[1..]);
 }
 
-/// Returns the minimum and maximum coordinates of photons; infinite ones, the minimum above the maximum, of an empty list.
+/// Returns the minimum and maximum coordinates of photons. Of an empty list, the minimum is ∞ and the maximum -∞.
 fn bounds(photons: &[Photon]) -> [[f32; 3]; 2] {
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for photon in photons {

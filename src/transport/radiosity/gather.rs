@@ -99,7 +99,9 @@ impl Tracer<'_> {
         let wanted = radiosity.wanted_closeness(at.depth);
         if at.depth == 0 && !radiosity.is_final() {
             let mut closeness = radiosity.cache.closeness_up_to(wanted, &query);
-            closeness += self.radiosity_cache.closeness_up_to(wanted - closeness, &query);
+            if closeness < wanted {
+                closeness += self.radiosity_cache.closeness_up_to(wanted - closeness, &query);
+            }
             if closeness < wanted && !self.is_stopped() {
                 let sample = self.gather(radiosity, at);
                 self.radiosity_cache.insert(sample);

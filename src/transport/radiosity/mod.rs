@@ -34,9 +34,10 @@ pub struct RadiosityState<'w> {
 /// Pass of radiosity, which decides where new samples are collected and which existing ones are reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RadiosityPass {
-    /// Samples are collected where fewer than `nearest_count` are within the reduced error bound.
+    /// Samples are collected where those within the reduced error bound are fewer or less close than `nearest_count` asks.
     Collect,
-    /// Samples are collected where no sample, or with `always_sample` too few, is within the error bound.
+    /// Samples are collected where none is within the error bound; with `always_sample` where they are fewer or less close
+    /// than `nearest_count` asks.
     FillGaps,
     /// Samples are read; those that are still missing serve one camera ray.
     Final,
@@ -119,7 +120,7 @@ impl<'w> RadiosityState<'w> {
             RadiosityPass::Final => ANY_CLOSENESS,
             // A quarter of `nearest_count`, and a quarter of that after each bounce
             RadiosityPass::Collect | RadiosityPass::FillGaps => {
-                let divisor = (1_u64 << (2 * (u32::from(bounces) + 1)).min(62)) as f64;
+                let divisor = (1_u64 << (2 * (u32::from(bounces) + 1))) as f64;
                 f64::from(self.settings.nearest_count) / divisor
             }
         }
