@@ -126,34 +126,56 @@ impl LoweredLight {
 
     /// Returns the stretches of a ray, in order, within the beam of a spotlight or cylinder light: pairs of distances
     /// between `from` and `to`. `None` for a light that shines in all directions.
-    pub fn beam_stretches(&self, ray: &Ray, [from, to]: [f64; 2]) -> Option<SmallVec<[[f64; 2]; 2]>> {
-        let (start, along) = (ray.origin - self.location, ray.dir.dot(self.axis));
-        let (ahead, cos) = match self.profile {
-            Profile::Round => return None,
+    pub fn beam_stretches(&self, ray: &Ray, range: [f64; 2]) -> Option<SmallVec<[[f64; 2]; 2]>> {
+        match self.profile {
+            Profile::Round => None,
             // Beyond a right angle, the dark part is a cone; the whole ray counts as lit.
-            Profile::Cone { falloff, .. } if falloff <= 0.0 => return None,
-            Profile::Cone { falloff, .. } => (start.dot(self.axis), Some(falloff)),
-            Profile::Tube(_) => (start.dot(self.axis), None),
-        };
-        // Roots of the quadratic for the beam's side: (v·a)² - cos²·|v|² for a cone, r² - |v|² + (v·a)² for a tube
-        let (share, constant) = match (cos, self.profile) {
-            (None, Profile::Tube(edge)) => (1.0, edge.falloff * edge.falloff),
-            (cos, _) => (cos.unwrap_or(1.0).powi(2), 0.0),
-        };
+            Profile::Cone { falloff, .. } if falloff <= 0.0 => None,
+            Profile::Cone { falloff, .. } => Some(self.stretches_in_cone(ray, range, falloff)),
+            Profile::Tube(edge) => Some(self.stretch_in_tube(ray, range, edge.falloff).into_iter().collect()),
+        }
+    }
+
+    /// Returns the stretches of a ray, in order, within the beam of a spotlight, whose outer edge has this cosine.
+    fn stretches_in_cone(&self, ray: &Ray, [from, to]: [f64; 2], cos: f64) -> SmallVec<[[f64; 2]; 2]> {
+        let (start, along) = (ray.origin - self.location, ray.dir.dot(self.axis));
+        let (ahead, share) = (start.dot(self.axis), cos.powi(2));
+        // Roots of the quadratic for the cone's side: (v·a)² - cos²·|v|²
         let a = along * along - share * ray.dir.length_squared();
         let b = along * ahead - share * start.dot(ray.dir);
-        let c = ahead * ahead - share * start.length_squared() + constant;
+        let c = ahead * ahead - share * start.length_squared();
         let discriminant = b * b - a * c;
         if discriminant < 0.0 && a < 0.0 {
-            return Some(SmallVec::new());
+            return SmallVec::new();
         }
         let root = discriminant.max(0.0).sqrt();
-        let mut ends = SmallVec::from([from, to, (-b - root) / a, (-b + root) / a, -ahead / along]);
+        let mut ends = SmallVec::<[f64; 5]>::from([from, to, (-b - root) / a, (-b + root) / a, -ahead / along]);
         ends.retain(|t| (from..=to).contains(t));
         ends.sort_by(f64::total_cmp);
         let is_lit = |t: f64| a * t * t + 2.0 * b * t + c > 0.0 && ahead + along * t > 0.0;
         let pieces = ends.windows(2).map(|pair| [pair[0], pair[1]]);
-        Some(pieces.filter(|[start, end]| end > start && is_lit(0.5 * (start + end))).collect())
+        pieces.filter(|[start, end]| end > start && is_lit(0.5 * (start + end))).collect()
+    }
+
+    /// Returns the stretch of a ray that counts as within the beam of a cylinder light, of this radius (quirk:
+    /// `media_in_tube`).
+    fn stretch_in_tube(&self, ray: &Ray, [from, to]: [f64; 2], radius: f64) -> Option<[f64; 2]> {
+        let (start, along) = (ray.origin - self.location, ray.dir.dot(self.axis));
+        let ahead = start.dot(self.axis);
+        // Roots of the quadratic for the tube's side: |v|² - (v·a)² - r²
+        let (across, across_dir) = (start - self.axis * ahead, ray.dir - self.axis * along);
+        let a = across_dir.length_squared();
+        let b = across.dot(across_dir);
+        let discriminant = b * b - a * (across.length_squared() - radius * radius);
+        if discriminant <= 0.0 {
+            return None;
+        }
+        let root = discriminant.sqrt();
+        let (enter, leave) = ((-b - root) / a, (-b + root) / a);
+        let is_ahead = |t: f64| ahead + along * t > 0.0;
+        let enter = if is_ahead(enter) { enter } else { from };
+        let stretch = [enter.max(from), leave.min(to)];
+        (is_ahead(leave) && stretch[1] > stretch[0]).then_some(stretch)
     }
 
     /// Returns the light's strength at a distance. Behind a parallel light the distance is negative, and an odd

@@ -61,6 +61,19 @@ pub(super) const QUIRKS: &[Quirk] = &[
         ],
     ),
     emulated_quirk(
+        "media_in_solid_shadow",
+        "On the way to a light with `media_attenuation`, media of the whole scene also attenuate the light inside \
+         objects that are not `hollow`, up to the last surface before the light. Fog and the media of interiors do not.",
+        &["light_cases/media_in_solid_shadow"],
+    ),
+    emulated_quirk(
+        "media_in_tube",
+        "A cylinder light illuminates the media along a ray where the ray is within the tube, if the ray leaves the tube \
+         in front of the light; from the ray's start on, if it enters the tube behind the light. It illuminates nothing \
+         along a ray that leaves the tube behind the light or that is parallel to its axis.",
+        &["light_cases/media_in_tube", "light_cases/media_in_tube_from_inside"],
+    ),
+    emulated_quirk(
         "media_lights",
         "Along a ray, media scatter the lights of the object that the ray hits next: those of its `light_group`, if it is \
          in one, and not those of the object that holds the media.",

@@ -100,6 +100,22 @@ impl<'w> Tracer<'w> {
         transmittance
     }
 
+    /// Returns the transmittance of air and media along a span of a shadow ray that ends at a surface. Media of the whole
+    /// scene attenuate it in solid interiors, too (quirk: `media_in_solid_shadow`).
+    pub(super) fn shadow_segment_to_surface(
+        &mut self,
+        ray: &Ray,
+        span: &Span,
+        inside: &Interiors,
+        segments: &ShadowSegments,
+    ) -> Rgb {
+        if segments.has_air && self.is_filled(inside) {
+            let context = SegmentContext { inside, light_set: 0, bounces: 0, is_shadow: true };
+            return self.air_media_segment(ray, span, &context).transmittance;
+        }
+        self.shadow_segment(ray, span, inside, segments)
+    }
+
     /// True if an interior of the list is not hollow, so that neither air nor media are inside.
     pub(super) fn is_filled(&self, inside: &Interiors) -> bool {
         let world = self.context.world;
@@ -116,10 +132,7 @@ impl<'w> Tracer<'w> {
         if !world.fogs.is_empty() {
             air = atmosphere::combine_fogs_adding_radiance(&world.fogs, &start, length, world.noise);
         }
-        if !world.air.is_empty() && length > 0.0 {
-            let media: SmallVec<[&Medium; 4]> = world.air.iter().collect();
-            air = air.in_front_of(self.media_segment(&MediaStretch::new(ray, span, &media, context)));
-        }
+        air = air.in_front_of(self.air_media_segment(ray, span, context));
         if !world.rainbows.is_empty() {
             let random = &mut self.random;
             air = air.in_front_of(atmosphere::average_rainbows(&world.rainbows, &start, length, &mut || {
@@ -127,6 +140,16 @@ impl<'w> Tracer<'w> {
             }));
         }
         air
+    }
+
+    /// Returns the segment of the media of the whole scene.
+    fn air_media_segment(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
+        let world = self.context.world;
+        if world.air.is_empty() || span.to <= span.from {
+            return Segment::NONE;
+        }
+        let media: SmallVec<[&Medium; 4]> = world.air.iter().collect();
+        self.media_segment(&MediaStretch::new(ray, span, &media, context))
     }
 
     /// Returns the segment of the media of all interiors in the list.

@@ -129,7 +129,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
         for hit in surfaces {
-            transmittance *= self.shadow_segment(ray, &Span::new(from, hit.t()), &inside, &segments);
+            transmittance *= self.shadow_segment_to_surface(ray, &Span::new(from, hit.t()), &inside, &segments);
             transmittance *= self.surface_transmittance(ray, hit, from, &mut inside);
             from = hit.t();
         }
