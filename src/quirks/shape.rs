@@ -52,10 +52,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     differing_quirk(
         "flat_triangle_sides",
-        "Which side of a single `triangle` shows its `interior_texture` depends on each transform between the \
-         triangle and the scene.",
-        "The order of the three corners alone decides.",
-        &["light_cases/csg_polygon_sides"],
+        "The order of the corners decides which side of a single `triangle` is its outside only without a transform. \
+         After a transform the outside is the side towards -x, +y or -z, whichever axis is closest to the normal, in the \
+         coordinates before the last transform.",
+        "The coordinates are those before the first transform.",
+        &["light_cases/triangle_sides", "src/shape/triangle.rs::outside_of_transformed_triangle"],
     ),
     emulated_quirk(
         "height_field_function_precision",

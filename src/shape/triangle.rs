@@ -4,7 +4,7 @@
 //! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, check_finite};
+use super::{Hit, Hits, Kernel, Shape, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -70,6 +70,17 @@ impl Triangle {
         DVec3::new(l1, l2, 1.0 - l1 - l2)
     }
 
+    /// Returns the triangle with its last two corners in the order that decides its outside once it is transformed by M:
+    /// towards -x, +y or -z, whichever axis is closest to the normal in object space (quirk: `flat_triangle_sides`).
+    fn with_corners_ordered_for(&self, m: &Transform) -> Self {
+        let normal = self.face_normal();
+        let axis = normal.abs().max_position();
+        let is_outward = normal[axis] * [-1.0, 1.0, -1.0][axis] > 0.0;
+        let [x, y, z] = DVec3::AXES.map(|axis| m.transform_vector(axis));
+        let keeps_orientation = x.cross(y).dot(z) > 0.0;
+        if is_outward == keeps_orientation { *self } else { Self { b: self.c, c: self.b, ..*self } }
+    }
+
     /// Bounding box of the triangle; empty without area.
     pub fn bounds(&self) -> Aabb {
         if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points([self.a, self.b, self.c]) }
@@ -129,6 +140,11 @@ impl Kernel for Triangle {
         true
     }
 
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
+        let ordered = self.with_corners_ordered_for(m);
+        (!m.is_identity() && ordered != *self).then(|| ordered.into())
+    }
+
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
         self.face_normal()
     }
@@ -172,6 +188,29 @@ mod tests {
         let p = want.x * t.a + want.y * t.b + want.z * t.c;
         assert!(t.barycentric(p).distance(want) < 1e-14);
         assert!(t.barycentric(t.a + (t.a - t.b) * 0.1).y < 0.0);
+    }
+
+    /// With the normals of POV-Ray's `trace()`.
+    #[test]
+    fn outside_of_transformed_triangle() {
+        let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
+        let turn = Transform::rotate(DVec3::new(0.0, 180.0, 0.0));
+        let mirror = Transform::scale(DVec3::splat(-1.0)).unwrap();
+        for (a, b, plain, turned, mirrored) in
+            [(x, y, -z, z, -z), (y, x, z, z, -z), (z, y, x, x, -x), (x, z, y, y, y), (z, x, -y, y, y)]
+        {
+            let triangle = Triangle::new(o, a, b);
+            let normal_under = |m: &Transform| {
+                let adapted = match triangle.adapted_to_transform(m) {
+                    Some(Shape::Triangle(adapted)) => *adapted,
+                    _ => triangle,
+                };
+                m.transform_normal(adapted.face_normal()).normalize()
+            };
+            assert_eq!(normal_under(&Transform::IDENTITY), plain);
+            assert!(normal_under(&turn).distance(turned) < 1e-12);
+            assert!(normal_under(&mirror).distance(mirrored) < 1e-12);
+        }
     }
 
     #[test]

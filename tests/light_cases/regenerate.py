@@ -9,6 +9,7 @@ by row, three a pixel, in steps of 1/65535. A case whose first line is `// optio
 """
 
 import argparse
+import concurrent.futures
 import json
 import pathlib
 import re
@@ -51,8 +52,10 @@ def main():
     options = parser.parse_args()
     names = options.names or (sorted(path.stem for path in HERE.glob("*.pov")) if options.check else [])
     differ = 0
-    for name in names:
-        steps = drawn(name)
+    # (POV-Ray sleeps most of the time that it takes for a small picture.)
+    with concurrent.futures.ThreadPoolExecutor(8) as pool:
+        pictures = pool.map(drawn, names)
+    for name, steps in zip(names, pictures):
         if not options.check:
             (HERE / f"{name}.json").write_text(json.dumps(steps, separators=(",", ":")) + "\n")
         elif max(abs(a - b) for a, b in zip(steps, stored(name))) > 1:
