@@ -37,8 +37,15 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated_quirk(
         "camera_inside_box",
         "A camera is inside an object whose inside is infinite, such as an inverted sphere or the half-space of a \
-         disc, only within the bounding box of its surface.",
-        &["light_cases/camera_in_inverse", "light_cases/camera_in_endless_blob", "light_cases/fog_inverse_quadric"],
+         disc, only within the bounding box of its surface; and inside an object with `bounded_by`, or an intersection \
+         with a finite box, only within that box.",
+        &[
+            "light_cases/camera_in_inverse",
+            "light_cases/camera_in_endless_blob",
+            "light_cases/fog_inverse_quadric",
+            "light_cases/camera_beside_bounds",
+            "light_cases/camera_beside_bounded_by",
+        ],
     ),
     differing_quirk(
         "coplanar_boxes",

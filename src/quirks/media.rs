@@ -47,6 +47,19 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/media_atmosphere_and_fog", "light_cases/media_rainbow"],
     ),
     emulated_quirk(
+        "media_in_solid_shadow",
+        "On the way to a light with `media_attenuation`, media of the whole scene also attenuate the light inside \
+         objects that are not `hollow`, up to the last surface before the light. Fog and the media of interiors do not.",
+        &["light_cases/media_in_solid_shadow"],
+    ),
+    emulated_quirk(
+        "media_in_tube",
+        "A cylinder light illuminates the media along a ray where the ray is within the tube, if the ray leaves the tube \
+         in front of the light; from the ray's start on, if it enters the tube behind the light. It illuminates nothing \
+         along a ray that leaves the tube behind the light or that is parallel to its axis.",
+        &["light_cases/media_in_tube", "light_cases/media_in_tube_from_inside"],
+    ),
+    emulated_quirk(
         "media_intervals",
         "If only spotlights and cylinder lights illuminate a medium, their beams divide the ray, and `ratio` distributes \
          the intervals over lit and dark parts. A `parallel` spotlight shines at full strength within its cone alone. \
@@ -59,19 +72,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
             "light_cases/media_parallel_spotlight",
             "light_cases/media_parallel_spotlight_and_point",
         ],
-    ),
-    emulated_quirk(
-        "media_in_solid_shadow",
-        "On the way to a light with `media_attenuation`, media of the whole scene also attenuate the light inside \
-         objects that are not `hollow`, up to the last surface before the light. Fog and the media of interiors do not.",
-        &["light_cases/media_in_solid_shadow"],
-    ),
-    emulated_quirk(
-        "media_in_tube",
-        "A cylinder light illuminates the media along a ray where the ray is within the tube, if the ray leaves the tube \
-         in front of the light; from the ray's start on, if it enters the tube behind the light. It illuminates nothing \
-         along a ray that leaves the tube behind the light or that is parallel to its axis.",
-        &["light_cases/media_in_tube", "light_cases/media_in_tube_from_inside"],
     ),
     emulated_quirk(
         "media_lights",

@@ -297,10 +297,7 @@ impl Geometry {
     /// Calls `visit` with each object that contains a camera at the point (quirk: `camera_inside_box`).
     pub fn containing_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         self.containing(p, &mut |solid| {
-            if !solid.node.inside_exceeds_bounds()
-                || solid.instance.is_some()
-                || solid.node.bounds_for_camera_inside().contains(p)
-            {
+            if solid.instance.is_some() || solid.node.contains_camera_at(p) {
                 visit(solid);
             }
         });

@@ -1,7 +1,7 @@
 //! Bounding boxes of solids: around their surfaces and around their insides.
 
 use super::{CompositeData, SolidKind, SolidNode};
-use crate::math::{Aabb, bvh};
+use crate::math::{Aabb, DVec3, bvh};
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
@@ -38,9 +38,16 @@ impl SolidNode {
         !solid.is_empty() && solid.union(surface) != surface
     }
 
+    /// True if a camera at the point, which is inside the node, counts as inside: it is within the bounding solids and,
+    /// if the node's inside extends beyond its bounds, within POV-Ray's box (quirk: `camera_inside_box`).
+    pub(in crate::world) fn contains_camera_at(&self, p: DVec3) -> bool {
+        self.bounding_solids().iter().all(|bound| bound.bounds().contains(p))
+            && (!self.inside_exceeds_bounds() || self.bounds_for_camera_inside().contains(p))
+    }
+
     /// Returns the box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box
-    /// of its shapes, before they are inverted (quirk: `camera_inside_box`).
-    pub(in crate::world) fn bounds_for_camera_inside(&self) -> Aabb {
+    /// of its shapes, before they are inverted.
+    fn bounds_for_camera_inside(&self) -> Aabb {
         match &self.kind {
             SolidKind::Leaf(leaf)
                 if leaf.shape.solid_bounds().is_some() || !bvh::fits_single_precision(&self.bounds()) =>
