@@ -260,8 +260,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the location of the element that `D.Key` or `D["key"].Key` names, or of `local.A`; `None` if `D` is no
-    /// dictionary.
+    /// Returns the location of the dictionary `D`, of its element `D.Key` or `D["key"].Key`, or of `local.A` or
+    /// `global.A`; `None` for any other expression. An error for a key that the dictionary lacks.
     pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         if let Some(lvalue) = self.evaluator.prefixed_lvalue(e) {
             return Ok(Some(lvalue));
@@ -284,7 +284,7 @@ impl<'a> Interpreter<'a> {
         self.evaluator.dictionary_element_lvalue(&lvalue, e)
     }
 
-    /// Evaluates the array access `A[i][j]` to the element's value.
+    /// Returns the contents of the array element `A[i][j]`; an error if the element has no value.
     pub(super) fn evaluate_array_access(
         &mut self,
         base: &'a Expr,

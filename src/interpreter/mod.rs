@@ -244,8 +244,8 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        let errors_in_unused = self.evaluator.scopes().faults_of_unused_declarations().cloned().collect();
-        self.reporter.report_deferred(errors_in_unused);
+        let faults_of_declarations = self.evaluator.scopes().faults_of_failed_declarations().cloned().collect();
+        self.reporter.report_deferred(faults_of_declarations);
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
         let (scene, origins) = self.builder.into_scene_and_call_traces();

@@ -244,7 +244,7 @@ impl Interpreter<'_> {
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
     }
 
-    /// Sets the properties that depend on the whole text, and closes open files.
+    /// Sets the properties that depend on the whole text, closes open files, and warns about a scene without a camera.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
         self.builder.set_final_version_properties();

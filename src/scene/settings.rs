@@ -72,7 +72,7 @@ impl Settings {
     /// Reads the contents of a `global_settings` block.
     ///
     /// # Errors
-    /// With the span of the unexpected token, and the expectation.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
         loop {
             match r.peek_next()? {
@@ -101,7 +101,7 @@ impl Settings {
     /// Reads the number after `max_trace_level`, which old scenes also state outside of `global_settings`.
     ///
     /// # Errors
-    /// With the span of the unexpected token, and the expectation.
+    /// A diagnostic at the first item that is not understood.
     pub fn read_max_trace_level(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
         Ok(())

@@ -45,7 +45,7 @@ impl Painted {
 /// Reads consecutive `texture` blocks as layers, the lowest first.
 ///
 /// # Errors
-/// With the span of the unexpected token, and the expectation.
+/// A diagnostic at the first item that is not understood.
 pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     let mut layers = vec![];
     let mut next = r.peek_next()?;
@@ -97,7 +97,7 @@ impl Thing for Material {
 /// Reads the contents of a `material` block; `interior` is what the object has so far.
 ///
 /// # Errors
-/// With the span of the unexpected token, and the expectation.
+/// A diagnostic at the first item that is not understood.
 pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<Arc<Interior>>) -> Result<Material> {
     let mut out = Material { interior, ..Material::default() };
     loop {

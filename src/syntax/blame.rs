@@ -31,7 +31,8 @@ enum Evidence<'o> {
     Closer(&'o Pair, usize),
 }
 
-/// Returns the error for the opening brace that most probably lacks its `}`; `None` without evidence.
+/// Returns the error for the opening brace that most probably lacks its `}`; `None` without evidence, or if no brace is
+/// open at the end of the text.
 pub fn unclosed_brace_error(outline: &Outline) -> Option<Diagnostic> {
     // Match each `}` with the last `{`, also across the bodies of directives.
     let mut stack: Vec<(&Pair, Line)> = vec![];

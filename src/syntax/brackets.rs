@@ -44,7 +44,7 @@ impl Opener {
         }
     }
 
-    /// True for `?` and the `<` of a vector, which end together with the bracket around them.
+    /// True for `?`, its `:` and the `<` of a vector, which end together with the bracket around them.
     fn is_closed_by_outer(self) -> bool {
         matches!(self, Opener::Angle | Opener::Choice | Opener::Otherwise)
     }
@@ -104,7 +104,7 @@ impl Brackets {
     }
 
     /// Closes the innermost bracket that matches the class `closer`, and returns the bracket and its token index.
-    /// Brackets inside it stay unmatched.
+    /// Brackets inside it stay unmatched. `None` if no bracket in the same body matches; then nothing is closed.
     pub(super) fn close_and_opener_token(&mut self, closer: u8) -> Option<(Opener, usize)> {
         let body = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_))).map_or(0, |i| i + 1);
         let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
@@ -132,7 +132,7 @@ impl Brackets {
     }
 
     /// Ends the present body of the innermost directive, at `#else` or `#end`, and returns the directive's class. The
-    /// directive stays open.
+    /// directive stays open. `None` if no directive is open.
     pub(super) fn end_body_and_class(&mut self) -> Option<u8> {
         let depth = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_)))?;
         self.pop_to(depth + 1);

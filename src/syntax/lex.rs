@@ -369,7 +369,7 @@ impl Lexer<'_> {
             return;
         }
         let (at, token) = (self.at, self.out.tokens.len());
-        match class::directive(word) {
+        match class::directive_class_and_role(word) {
             None => {
                 let symbol = self.names.intern(word).0;
                 if is_other_elseif(word) && self.out.faults.is_empty() {

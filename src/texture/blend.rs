@@ -22,8 +22,9 @@ pub struct Map<T> {
 pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 
 impl<T> Map<T> {
-    /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. The
-    /// last entry from its own number on, the first up to its own number.
+    /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. Returns
+    /// one entry with `None` beyond the ends: the last entry from its number on, else the first up to its number and
+    /// for NaN.
     pub fn entries_and_fraction_at(&self, number: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
         // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
@@ -119,8 +120,8 @@ fn example_entry<T: Entry>() -> String {
 }
 
 /// Reads the values for the cells of a pattern whose name is already read, in braces or declared, up to the pattern's
-/// count; `None` if the name was not that of a pattern of cells. The values of an object pattern are inside the
-/// object's braces.
+/// count; `None` if the name was not that of a pattern of cells. `default`
+/// gives the values that the scene leaves out. The values of an object pattern are inside the object's braces.
 pub fn read_list<T: Entry>(
     r: &mut dyn Reader,
     name: Next,

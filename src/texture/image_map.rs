@@ -26,7 +26,8 @@ pub struct ImageMap {
 pub struct Clearness {
     /// Filter of all colours of the `image_map`, from `filter all`.
     pub filter: Option<f64>,
-    /// Transmittance of all colours of the `image_map`, from `transmit all`; added to the picture's transparency.
+    /// Transmittance of all colours of the `image_map`, from `transmit all`; added to the picture's transparency, or in
+    /// place of it if the picture has a palette.
     pub transmit: Option<f64>,
     /// Palette index, filter and transmit for single colours of the `image_map`'s palette.
     pub palette: Vec<(u8, Option<f64>, Option<f64>)>,

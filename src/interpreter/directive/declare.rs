@@ -263,7 +263,8 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol: target.symbol, level: None, lvalue })
     }
 
-    /// Assigns a value to the target of a declaration; `first_use_warnings` are warnings that are reported at the first use.
+    /// Assigns a value to the target of a declaration. `first_use_warnings` are reported at the first use of a name,
+    /// and now for an array element.
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         match &declared.lvalue {
             Some(lvalue) => {

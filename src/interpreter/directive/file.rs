@@ -215,7 +215,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads the next number, vector or string of a file. The flag is true if more values follow.
+    /// Reads the next number, vector or string of a file; `None` at the end of the file. The flag is true if more
+    /// values follow.
     fn value_and_has_more(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {

@@ -77,7 +77,7 @@ impl<'a> Interpreter<'a> {
         Ok((size, function))
     }
 
-    /// Returns the width and height of a function's picture, in pixels.
+    /// Checks the width and height of a function's picture, and returns them in pixels; `None` without numbers.
     fn picture_size(&mut self, size: &[(f64, Span)], span: Span) -> Result<Option<[usize; 2]>> {
         let &[(width, at), (height, end)] = size else {
             return match size.len() {

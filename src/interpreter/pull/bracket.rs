@@ -10,7 +10,8 @@ use crate::syntax::ast::*;
 const MAX_NESTING: usize = 5_000;
 
 impl<'a> Interpreter<'a> {
-    /// Consumes the next token, an opening bracket, and the word before it. Returns the span of the word or bracket.
+    /// Consumes the next token and returns its span. An opening bracket, or a word with its `{`, is pushed on the stack
+    /// of open brackets; any other token is only consumed.
     pub fn open(&mut self) -> Result<Span> {
         let token = self.peek()?;
         let span = self.stream.next_span();

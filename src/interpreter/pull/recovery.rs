@@ -28,7 +28,7 @@ impl Interpreter<'_> {
     }
 
     /// Adds the call trace to an error, and skips the statement that contains it. Inside an unclosed bracket, nothing
-    /// is skipped, and the bracket is reported instead.
+    /// is skipped: the caller reports the bracket in place of the error, and ends the run.
     pub fn trace_fault_and_skip(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
         let fault = self.stream.with_call_trace(fault);
         if self.stream.unclosed_bracket_error().is_none() {

@@ -57,7 +57,7 @@ pub(super) fn is_component(word: &str) -> bool {
     COMPONENTS.iter().any(|(name, _)| *name == word)
 }
 
-/// Replaces an infinite component by [`Color::BLINDING`] and NaN by 0 (quirk: `infinite_colors`).
+/// Replaces positive infinity by [`Color::BLINDING`], and negative infinity and NaN by 0 (quirk: `infinite_colors`).
 fn finite_component(x: f64) -> f64 {
     match x {
         x if x.is_finite() => x,

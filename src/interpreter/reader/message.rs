@@ -19,7 +19,7 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Family, Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
-    /// Returns the error "expected …, found …" about the next token.
+    /// Returns the error "expected …, found …" about the next token, or a more specific one, as for an undeclared name.
     pub fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
         let span = self.stream.next_span();
         let found = match self.peek() {
@@ -168,7 +168,8 @@ impl Interpreter<'_> {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
     }
 
-    /// Returns an error that names the missing value, unless the next token begins a value.
+    /// Returns an error that names the missing value if the next token is a block, `[`, `{` or a closing bracket, or
+    /// the text ends. Any other token may begin a value.
     pub(super) fn expect_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {

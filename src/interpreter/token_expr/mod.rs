@@ -13,7 +13,7 @@ use crate::syntax::word;
 use crate::syntax::{SignRow, begins_with_sign};
 use crate::value::{Reader, Value, VecN};
 
-/// Action on operands and operators: evaluation, compilation of functions, or skipping.
+/// Action on operands and operators: evaluation, or compilation of functions.
 pub(super) trait Operands<'a> {
     /// Result of reading one operand of an expression.
     type Value;
@@ -30,7 +30,7 @@ pub(super) trait Operands<'a> {
         right: (Self::Value, Span),
     ) -> Result<Self::Value>;
 
-    /// Reads the two branches after a `?`, with the `:` between them, and selects one.
+    /// Reads the two branches after a `?`, with the `:` between them, and returns the result of the choice.
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
 
     /// Returns the precedence of an operator in an expression.
@@ -322,7 +322,7 @@ fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
     }
 }
 
-/// Reads the signs before an operand.
+/// Reads the signs before an operand, and returns them innermost first, without signs that cancel each other.
 pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     let mut typed = vec![];
     loop {

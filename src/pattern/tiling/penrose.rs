@@ -158,7 +158,7 @@ fn kite_or_dart_and_bevel(place: Place) -> (usize, f64) {
 
 /// Evaluates the Penrose tiling of pentagons: returns the kind of the tile and the distance from its edge.
 fn pentagon_kind_and_distance(place: Place) -> (usize, f64) {
-    // A is place the origin, B place <LEG, 0>.
+    // A is at the origin, B at <LEG, 0>.
     let tip = TOWARDS[if place.obtuse { 3 } else { 1 }] * LEG;
     let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * place.b) + tip * place.c);
     let (left, right) = if place.obtuse { (1, 2) } else { (2, 1) };

@@ -131,7 +131,7 @@ impl Builder {
     }
 
     fn visit_directive(&mut self, class: u8, i: usize) {
-        if class::opens_body(class) {
+        if class::class_opens_body(class) {
             let (word, end) = (self.outline.directive_word(&self.outline.tokens[i]), self.range(i).end);
             self.open(end - word.len()..end, i);
         }

@@ -194,7 +194,7 @@ impl Check<'_> {
         known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON)
     }
 
-    /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
+    /// Reports a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn report_color_without_keyword(&mut self, token: usize) {
         let is_vector = self.outline.class(token) == class::VECTOR;
         if self.is_first_in_pigment(token) || is_vector && self.is_map_entry_value(token) {
@@ -219,7 +219,7 @@ impl Check<'_> {
             && matches!(self.outline.head(map), "color_map" | "colour_map" | "pigment_map")
     }
 
-    /// Checks for an array without a size, `array { 1, 2 }`.
+    /// Reports an array without a size, `array { 1, 2 }`.
     fn report_unsized_array(&mut self, token: usize) {
         if self.outline.class(token + 1) == class::BRACE {
             self.report(token, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");

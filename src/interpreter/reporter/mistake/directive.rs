@@ -1,7 +1,7 @@
 //! Mistakes in directives, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_name_char, split_leading_name, value_up_to_semicolon, without_comment};
+use super::source_line::{SourceLine, is_name_char, shortened_value, split_leading_name, without_comment};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns the word after the `#` at the fault, and the rest of the line.
@@ -39,7 +39,7 @@ pub(super) fn define_directive(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let help = match rest.strip_prefix('(') {
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
         None => {
-            format!("write `#declare {name} = {};`", value_up_to_semicolon(rest.trim_start().trim_start_matches('=')))
+            format!("write `#declare {name} = {};`", shortened_value(rest.trim_start().trim_start_matches('=')))
         }
     };
     Some(CommonMistake::help(help).leaves_undeclared(name))
@@ -63,10 +63,7 @@ pub(super) fn other_end_spelling(source: &SourceLine, d: &Diagnostic) -> Option<
 pub(super) fn assignment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = unknown_directive_and_rest(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
-    Some(
-        CommonMistake::help(format!("write `#declare {name} = {};`", value_up_to_semicolon(value)))
-            .leaves_undeclared(name),
-    )
+    Some(CommonMistake::help(format!("write `#declare {name} = {};`", shortened_value(value))).leaves_undeclared(name))
 }
 
 /// Recognizes the mistake `# the red ball` for a comment.
@@ -74,7 +71,7 @@ pub(super) fn comment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<
     unknown_directive_and_rest(source, d).filter(|_| d.help.is_none())?;
     let text = source.rest_from_fault().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
-    let help = format!("a comment begins with `//`: `// {}`", value_up_to_semicolon(comment));
+    let help = format!("a comment begins with `//`: `// {}`", shortened_value(comment));
     Some(CommonMistake::help(help).range(source.file_range_of(text)))
 }
 
@@ -192,7 +189,7 @@ pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Opt
         }
         "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
         | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
-            let head = value_up_to_semicolon(statement.split('{').next().unwrap_or_default());
+            let head = shortened_value(statement.split('{').next().unwrap_or_default());
             let rest = if statement.contains('{') { " … #end" } else { "" };
             let help = format!("write `#{head}{rest}`");
             CommonMistake::help(help).message(format!("the directive `{word}` is missing its `#`"))

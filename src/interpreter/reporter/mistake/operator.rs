@@ -2,7 +2,7 @@
 
 use super::habit::CommonMistake;
 use super::source_line::{
-    SourceLine, is_name_char, split_leading_name, split_trailing_name, value_up_to_semicolon, without_comment,
+    SourceLine, is_name_char, shortened_value, split_leading_name, split_trailing_name, without_comment,
 };
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
@@ -84,7 +84,7 @@ pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<C
     let value = source.rest_from_fault().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = split_trailing_name(source.before_fault().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
-    let value = value_up_to_semicolon(value.split(['}', ';']).next().unwrap_or_default());
+    let value = shortened_value(value.split(['}', ';']).next().unwrap_or_default());
     let habit = CommonMistake::help(format!("a value directly follows its word: `{word} {value}`"));
     plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
