@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
             }
             Some(Slot::Alias(_)) | None => match self.evaluator.constant(symbol) {
                 Some(value) => Ok(value),
-                None => self.undeclared(symbol, span).into(),
+                None => self.undeclared_name_error(symbol, span).into(),
             },
         }
     }

@@ -16,7 +16,8 @@ use serde::Serialize;
 /// Values of `global_settings`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// Value of `assumed_gamma`; `None` until the scene states it.
+    /// Value of `assumed_gamma`; while the scene is read, `None` until the scene states it. Never `None` in a finished
+    /// scene.
     pub gamma: Option<Gamma>,
     /// Maximum number of reflections and refractions of a ray.
     pub max_trace_level: u32,
@@ -26,7 +27,8 @@ pub struct Settings {
     pub ambient_light: Rgb,
     /// Wavelengths of red, green and blue in the units of `irid { thickness }`.
     pub irid_wavelength: Rgb,
-    /// Noise generator of patterns and functions; `None` if the scene sets none.
+    /// Noise generator of patterns and functions; while the scene is read, `None` until the scene sets it. Never `None`
+    /// in a finished scene.
     pub noise_generator: Option<NoiseGenerator>,
     /// Number of wave sources of the patterns `ripples` and `waves`.
     pub number_of_waves: usize,

@@ -23,9 +23,9 @@ pub struct Painted {
 }
 
 impl Painted {
-    /// Sets a texture on an object that already has the transform `before`.
-    pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
-        Self { texture, moved: (!before.is_identity()).then(|| IDENTITY.clone()) }
+    /// Sets a texture on an object that already has the transform `block_from_object`.
+    pub fn new(texture: Arc<Texture>, block_from_object: &Transform) -> Self {
+        Self { texture, moved: (!block_from_object.is_identity()).then(|| IDENTITY.clone()) }
     }
 
     /// Appends a transform of the object, which also transforms the texture.
@@ -64,7 +64,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
             },
             _ => break,
         }
-        next = r.peek_until_directive()?;
+        next = r.peek_next_unless_separated()?;
     }
     layers.shrink_to_fit();
     let mut texture = Texture { layers };

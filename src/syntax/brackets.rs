@@ -67,11 +67,11 @@ impl Brackets {
         self.stack.is_empty()
     }
 
-    pub(super) fn too_deep(&self) -> bool {
+    pub(super) fn is_too_deep(&self) -> bool {
         self.stack.len() > MAX_DEPTH
     }
 
-    pub(super) fn in_function(&self) -> bool {
+    pub(super) fn is_in_function(&self) -> bool {
         self.functions > 0
     }
 
@@ -81,14 +81,14 @@ impl Brackets {
         let around = open
             .take_while(|o| *o != Opener::Angle)
             .find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice | Opener::Otherwise));
-        self.in_function() || around == Some(Opener::Paren)
+        self.is_in_function() || around == Some(Opener::Paren)
     }
 
     /// True if a list of literals is allowed at the present position: between elements, but not inside vectors,
     /// parentheses and functions.
     pub(super) fn allows_number_lists(&self) -> bool {
         let top = self.stack.last().map(|o| o.0);
-        !self.in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
+        !self.is_in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
     }
 
     fn pop(&mut self) {

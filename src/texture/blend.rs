@@ -2,7 +2,7 @@
 //! "Normal Maps", "Texture Maps").
 
 use super::Texture;
-use super::doubts::warn_of_descending_map;
+use super::doubts::warn_if_map_descends;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::cancel;
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
@@ -76,12 +76,13 @@ impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads the entries of a map, `{ [0.0 …] [1.0 …] }`, after the brace, or a declared map. With `average` the
-    /// numbers are weights; a missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
+    /// Reads the entries of a map, `{ [0.0 …] [1.0 …] }`, after the brace, or a declared map. With
+    /// `numbers_are_weights`, as for `average`, a missing weight is 1, but a weight must precede a colour (quirk:
+    /// `average_weights`).
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.
-    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
+    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, numbers_are_weights: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
         }
@@ -91,7 +92,7 @@ where
             r.take_token()?;
             let number = match r.optional_float()? {
                 Some(number) => number,
-                None if average && !r.may_be_at_color()? => 1.0,
+                None if numbers_are_weights && !r.may_be_at_color()? => 1.0,
                 None => return Err(r.unexpected("the entry's number").help(example_entry::<T>()).into()),
             };
             entries.push((number, T::read_entry(r, defaults)?));
@@ -107,8 +108,8 @@ where
         }
         entries.shrink_to_fit();
         let map = Self { entries };
-        if !average {
-            warn_of_descending_map(r, span, &map);
+        if !numbers_are_weights {
+            warn_if_map_descends(r, span, &map);
         }
         Ok(map)
     }

@@ -36,7 +36,7 @@ pub struct Clearness {
 impl Clearness {
     /// Reads the words `filter all A` or `filter N, A` of an `image_map`.
     pub(super) fn read_filter(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match palette_index_and_amount(r)? {
+        match read_palette_index_and_amount(r)? {
             (None, amount) => self.filter = Some(amount),
             (Some(number), amount) => self.palette.push((number, Some(amount), None)),
         }
@@ -45,7 +45,7 @@ impl Clearness {
 
     /// Reads the words `transmit all A` or `transmit N, A` of an `image_map`.
     pub(super) fn read_transmit(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match palette_index_and_amount(r)? {
+        match read_palette_index_and_amount(r)? {
             (None, amount) => self.transmit = Some(amount),
             (Some(number), amount) => self.palette.push((number, None, Some(amount))),
         }
@@ -54,7 +54,7 @@ impl Clearness {
 }
 
 /// Reads the palette index, or `None` for `all`, and the amount after `filter` or `transmit`.
-fn palette_index_and_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
+fn read_palette_index_and_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
     if r.accept("all")? {
         return Ok((None, r.float()?));
     }

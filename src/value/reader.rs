@@ -98,9 +98,10 @@ pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
 pub trait Reader {
     /// Returns the kind of the scene's next token, which is not consumed. Commas and semicolons are skipped.
     fn peek_next(&mut self) -> Result<Next>;
-    /// Returns the kind of the next token, which is not consumed, or `Next::End` if a directive or a `;` precedes it.
-    /// Directives do not run: they may use the name that is being declared.
-    fn peek_until_directive(&mut self) -> Result<Next>;
+    /// Returns the kind of the next token, which is not consumed, or `Next::End` if a comma or a `;` precedes it. In a
+    /// declaration, a directive gives `Next::End` too and does not run yet, because it may use the name that is being
+    /// declared.
+    fn peek_next_unless_separated(&mut self) -> Result<Next>;
     /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
     /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::peek_next`] returned. Returns the span of

@@ -77,10 +77,10 @@ impl<'a> Interpreter<'a> {
         }
         let checkpoint = self.stream.checkpoint();
         self.stream.push_frame(body, FrameKind::Branch, span);
-        let read = self.open().and_then(|_| {
+        let read = self.open_bracket().and_then(|_| {
             let (value, at) = self.read_expression(true)?;
             let number = as_float(&value, at)?;
-            self.close("`)`").map(|()| number)
+            self.close_bracket("`)`").map(|()| number)
         });
         read.map_err(|fault| {
             let fault = self.stream.with_call_trace(*fault);

@@ -208,7 +208,7 @@ impl<'a> Interpreter<'a> {
             }
             more = follows;
         }
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         if !more {
             self.close_file(file, span);
         }
@@ -257,7 +257,7 @@ impl<'a> Interpreter<'a> {
                 form = None;
             }
             match token {
-                token if token.is_closer_or_end() => return self.close("`)`"),
+                token if token.is_closer_or_end() => return self.close_bracket("`)`"),
                 Token::Word(word) if Binary::from_word(word).is_some() => {
                     self.stream.advance();
                     form = Binary::from_word(word);

@@ -7,7 +7,7 @@ use crate::interpreter::stream::Checkpoint;
 impl Interpreter<'_> {
     /// Drops the frames that were pushed since the checkpoint, and restores the checkpoint's state of the stream.
     pub fn unwind(&mut self, checkpoint: Checkpoint) {
-        while self.stream.is_above(checkpoint) {
+        while self.stream.has_frames_above(checkpoint) {
             self.pop_frame();
         }
         self.stream.restore(checkpoint);

@@ -52,7 +52,7 @@ pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Spa
 
 impl Reporter<'_> {
     /// Counts one step: a directive, a loop pass or a macro call. An error if a limit is exceeded, which ends the run.
-    pub fn step(&mut self, span: Span) -> Result<()> {
+    pub fn count_step(&mut self, span: Span) -> Result<()> {
         self.usage.steps += 1;
         if self.usage.steps > self.inputs.options.max_steps {
             let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);

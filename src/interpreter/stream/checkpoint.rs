@@ -117,7 +117,7 @@ impl TokenStream<'_> {
     }
 
     /// True if frames were pushed since the checkpoint.
-    pub fn is_above(&self, checkpoint: Checkpoint) -> bool {
+    pub fn has_frames_above(&self, checkpoint: Checkpoint) -> bool {
         self.frames.len() > checkpoint.frame_count
     }
 

@@ -235,7 +235,7 @@ impl Outline {
     }
 
     /// Returns the text of a token; empty after the last one.
-    pub(super) fn word(&self, token: usize) -> &str {
+    pub(super) fn token_text(&self, token: usize) -> &str {
         self.tokens.get(token).map_or("", |token| self.slice(&token.range))
     }
 

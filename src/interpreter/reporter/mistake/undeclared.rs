@@ -10,7 +10,12 @@ use crate::syntax::word;
 impl Reporter<'_> {
     /// Returns the error for a name that is not declared, with the include file that declares it or the name that was
     /// probably meant. `declared` are the names that are declared at present.
-    pub fn undeclared<'n>(&self, name: &str, span: Span, declared: impl Iterator<Item = &'n str>) -> Diagnostic {
+    pub fn undeclared_name_error<'n>(
+        &self,
+        name: &str,
+        span: Span,
+        declared: impl Iterator<Item = &'n str>,
+    ) -> Diagnostic {
         // Of a call, only the name is marked.
         let named = self.inputs.sources.snippet(span).starts_with(name);
         let span = if named { Span { hi: span.lo + name.len() as u32, ..span } } else { span };
