@@ -96,7 +96,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Returns the value of a name. The first use reports the warnings about the name's declaration. An error for an
-    /// undeclared name, and for the name of an array, a file or a macro.
+    /// undeclared name, after a failed declaration, and for the name of an array, a file or a macro.
     pub(super) fn evaluate_name(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {

@@ -11,8 +11,8 @@ const BRIGHT: f64 = 20.0;
 /// Largest value of a colour's channel in painting programs.
 const BYTE: f64 = 255.0;
 
-/// Warns of a colour in numbers from 0 to 255 (W0406). Lamps painted in a bright colour are recognised by numbers that
-/// are not whole, all equal, or larger than 255.
+/// Warns of a colour in numbers from 0 to 255 (W0406): all are whole, and one is above [`BRIGHT`]. A colour with equal
+/// numbers below 255, or with a number above 255, is taken as that of a lamp that is meant to be bright.
 pub fn warn_if_color_in_bytes(r: &mut dyn Reader, at: Span, color: &Color) {
     let c = color.rgb;
     let whole = [c.x, c.y, c.z].iter().all(|x| (0.0..=BYTE).contains(x) && x.fract() == 0.0);

@@ -114,8 +114,8 @@ impl Reporter<'_> {
         }
     }
 
-    /// True if a standard include file that was not read declares the name. A name of more than four letters may differ
-    /// in letter case, and the file may have been read.
+    /// True if a standard include file declares the name. A name of up to four letters counts only with the same letter
+    /// case, and only if the file has not been read.
     pub fn is_declared_in_library(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
             || name.len() > 4 && library::standard_names().any(|n| n.eq_ignore_ascii_case(name))
