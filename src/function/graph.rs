@@ -212,7 +212,7 @@ fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
 const MAX_TERMS: f64 = 1e7;
 
 /// Evaluates a `sum` or `prod`. The arguments are the first and last value of the counter, and then those of the
-/// enclosing function.
+/// enclosing function. NaN for more than [`MAX_TERMS`] terms; in cancelled work, a part of the terms.
 fn evaluate_series(is_product: bool, body: &Program, arguments: &[f64]) -> f64 {
     let [first, last, outer @ ..] = arguments else { return f64::NAN };
     let mut inner = outer.to_vec();
@@ -250,7 +250,8 @@ impl Graph {
         }
     }
 
-    /// Finds an operation in the function's graph or adds it; returns its index.
+    /// Returns the index of an operation, which is added if the graph lacks it. An operation on constants becomes a
+    /// constant, and a choice by a constant condition becomes the chosen operand.
     pub fn add_operation(&mut self, node: Operation) -> Id {
         let node = self.fold_constants(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
         if let Operation::Choice(condition, yes, no) = node

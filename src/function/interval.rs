@@ -20,7 +20,7 @@ impl Interval {
     /// Interval from 0 to 1, which contains both results of a comparison.
     pub const TRUTH: Interval = Interval { lo: 0.0, hi: 1.0 };
 
-    /// Returns the interval from the smaller number to the larger.
+    /// Returns the interval from the smaller number to the larger; all numbers if one of both is NaN.
     pub fn new(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() { Self::ALL } else { Self { lo: a.min(b), hi: a.max(b) } }
     }
@@ -98,8 +98,8 @@ impl Interval {
         (self + Self::point(-std::f64::consts::FRAC_PI_2)).cos()
     }
 
-    /// Returns the interval of x to the power of y, for exponents that are one number and bases that are not negative,
-    /// or integer exponents.
+    /// Returns the interval of x to the power of y, for an exponent that is one number and bases that are not negative,
+    /// or integer exponents from 0 to 64; all numbers otherwise.
     pub fn pow(self, power: Self) -> Self {
         let p = power.lo;
         if power.lo != power.hi || !p.is_finite() {

@@ -183,7 +183,7 @@ static NUMBERS: LazyLock<FxHashMap<&'static str, u8>> =
 
 impl Numeric {
     /// The reason why a script cannot evaluate a numeric function for these arguments; inside `function { }` the result
-    /// is NaN instead. `b` equals `a` for one argument.
+    /// is NaN instead. `b` equals `a` for one argument. `None` also for a division by zero, which scripts evaluate.
     pub fn domain_fault(&self, a: f64, b: f64) -> Option<String> {
         match self.domain {
             Domain::FromZero if a < 0.0 => Some(format!("{a} has no square root")),

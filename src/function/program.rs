@@ -70,29 +70,29 @@ struct Writer<'g> {
 
 impl Program {
     /// Compiles a function's graph; `None` if it has more than 60 000 operations.
-    pub fn new(graph: Graph, parameters: usize) -> Option<Self> {
-        if graph.nodes.len() + parameters > MAX_OPERATIONS {
+    pub fn new(graph: Graph, parameter_count: usize) -> Option<Self> {
+        if graph.nodes.len() + parameter_count > MAX_OPERATIONS {
             return None;
         }
         let mut places = vec![None; graph.nodes.len()];
         let mut constants = vec![];
         for (place, node) in places.iter_mut().zip(&graph.nodes) {
             if let Operation::Constant(bits) = node {
-                *place = Some((parameters + constants.len()) as Register);
+                *place = Some((parameter_count + constants.len()) as Register);
                 constants.push(f64::from_bits(*bits));
             }
         }
-        let next = parameters + constants.len();
+        let next = parameter_count + constants.len();
         let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
         let result = writer.emit_operation(graph.result);
         let Writer { steps, constants, arguments, next, .. } = writer;
         let mut start = [0.0; FEW];
-        start.iter_mut().skip(parameters).zip(&constants).for_each(|(to, constant)| *to = *constant);
+        start.iter_mut().skip(parameter_count).zip(&constants).for_each(|(to, constant)| *to = *constant);
         (next <= usize::from(Register::MAX)).then_some(Self {
             steps,
             constants,
             arguments,
-            parameters,
+            parameters: parameter_count,
             registers: next,
             result,
             graph,

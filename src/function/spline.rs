@@ -63,7 +63,8 @@ impl Spline {
         self.points.iter().map(|(parameter, c)| (*parameter, VecN { c: *c, len: self.len }))
     }
 
-    /// Returns the spline's point at a parameter; constant before the first and after the last.
+    /// Returns the spline's point at a parameter; constant before the first point and after the last, or for a cubic
+    /// spline before the second and after the last but one.
     pub fn point_at(&self, parameter: f64, kind: SplineKind) -> [f64; 5] {
         let (p, n) = (&self.points, self.points.len());
         // The cubic begins at the second point and ends at the last but one.

@@ -27,7 +27,7 @@ pub(super) enum ArgumentForm<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// Returns the argument that a parsed expression represents.
+    /// Returns the argument that a parsed expression represents. A name alone and an array element are not evaluated.
     pub(super) fn argument_of_expression(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => ArgumentForm::Name(*symbol),
@@ -120,7 +120,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// Returns the contents of an argument that is a name, an element or a value.
+    /// Returns the contents of an argument that is a name, an element or a value; an error if the argument has none.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
             ArgumentForm::Name(symbol) => match self.evaluator.scopes().get(*symbol) {

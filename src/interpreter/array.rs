@@ -64,7 +64,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the array size `[3]`, or `[]` for a size that the braces determine.
     fn read_array_size(&mut self) -> Result<Option<usize>> {
-        let at = self.open()?;
+        let at = self.open_bracket()?;
         let mut size = None;
         if !self.peek()?.is_closer_or_end() {
             let (value, span) = self.read_value()?;
@@ -73,7 +73,7 @@ impl<'a> Interpreter<'a> {
         if !self.peek()?.is_closer_or_end() {
             return Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`");
         }
-        self.close("`]`")?;
+        self.close_bracket("`]`")?;
         Ok(size)
     }
 
@@ -89,7 +89,7 @@ impl<'a> Interpreter<'a> {
         let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
         };
-        self.open()?;
+        self.open_bracket()?;
         let rows = sizes[0];
         let stride = items.len() / rows;
         for i in 0..rows {
@@ -109,7 +109,7 @@ impl<'a> Interpreter<'a> {
                 format!("there are more than {rows} elements"),
             );
         }
-        self.close("`}`")
+        self.close_bracket("`}`")
     }
 
     /// Reads an element of an array. In an array without sizes, braces make an array of arrays.
@@ -130,18 +130,18 @@ impl<'a> Interpreter<'a> {
                 return d.help("`array[10]`, or `array[3] { 1, 2, 3 }`").into();
             }
         }
-        self.open()?;
+        self.open_bracket()?;
         let mut items = vec![];
         while !self.peek()?.is_closer_or_end() {
             items.push(Some(self.read_array_item()?));
         }
-        self.close("`}`")?;
+        self.close_bracket("`}`")?;
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
     }
 
     /// Reads `{ .Name: 1, ["other name"]: 2 }` of a `dictionary` (3.8), from the opening brace on.
     pub(super) fn read_dictionary(&mut self) -> Result<Slot<'a>> {
-        self.open()?;
+        self.open_bracket()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
         while !self.peek()?.is_closer_or_end() {
             let key: Rc<str> = self.read_dictionary_key()?;
@@ -158,7 +158,7 @@ impl<'a> Interpreter<'a> {
                 }
             }
         }
-        self.close("`}`")?;
+        self.close_bracket("`}`")?;
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
     }
 
@@ -171,9 +171,9 @@ impl<'a> Interpreter<'a> {
                 Ok(self.inputs.sources.snippet(name.span).into())
             }
             Token::Open(Bracket::Square, _) => {
-                self.open()?;
+                self.open_bracket()?;
                 let key = self.text()?;
-                self.close("`]`")?;
+                self.close_bracket("`]`")?;
                 Ok(key.into())
             }
             _ => Err(self.unexpected_token("`.Name:` or `[\"name\"]:`").into()),
@@ -223,9 +223,9 @@ impl<'a> Interpreter<'a> {
         loop {
             match self.peek_directly_after_name()? {
                 Some(Token::Open(Bracket::Square, _)) => {
-                    self.open()?;
+                    self.open_bracket()?;
                     indices.push(self.read_value()?);
-                    self.close("`]`")?;
+                    self.close_bracket("`]`")?;
                 }
                 Some(Token::Punctuation(Punctuation::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
                     self.stream.advance();
@@ -260,8 +260,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the location of the element that `D.Key` or `D["key"].Key` names, or of `local.A`; `None` if `D` is no
-    /// dictionary.
+    /// Returns the location of the dictionary `D`, of its element `D.Key` or `D["key"].Key`, or of `local.A` or
+    /// `global.A`; `None` for any other expression. An error for a key that the dictionary lacks.
     pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         if let Some(lvalue) = self.evaluator.prefixed_lvalue(e) {
             return Ok(Some(lvalue));
@@ -284,7 +284,7 @@ impl<'a> Interpreter<'a> {
         self.evaluator.dictionary_element_lvalue(&lvalue, e)
     }
 
-    /// Evaluates the array access `A[i][j]` to the element's value.
+    /// Returns the contents of the array element `A[i][j]`; an error if the element has no value.
     pub(super) fn evaluate_array_access(
         &mut self,
         base: &'a Expr,

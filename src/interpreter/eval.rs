@@ -73,7 +73,7 @@ impl<'a> Interpreter<'a> {
         names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
     }
 
-    /// True if the expression's number is not 0.
+    /// True if the expression's number differs from 0 by more than [`TOLERANCE`].
     pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
         Ok(self.evaluate_number(e)?.abs() > TOLERANCE)
     }
@@ -95,7 +95,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the value of a name. The first use reports the warnings about the name's declaration.
+    /// Returns the value of a name. The first use reports the warnings about the name's declaration. An error for an
+    /// undeclared name, after a failed declaration, and for the name of an array, a file or a macro.
     pub(super) fn evaluate_name(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
@@ -116,12 +117,13 @@ impl<'a> Interpreter<'a> {
             }
             Some(Slot::Alias(_)) | None => match self.evaluator.constant(symbol) {
                 Some(value) => Ok(value),
-                None => self.undeclared(symbol, span).into(),
+                None => self.undeclared_name_error(symbol, span).into(),
             },
         }
     }
 
-    /// Returns the value in a slot; an error for an array, a file, a macro and a failed declaration.
+    /// Returns the value in a slot; an error for an array, a file, a macro and a failed declaration, whose faults are
+    /// reported here.
     pub(super) fn slot_value(&mut self, slot: Slot<'a>, span: Span) -> Result<Value> {
         match slot {
             Slot::Value(value) => Ok(value),

@@ -47,7 +47,7 @@ pub fn script_only_functions() -> impl Iterator<Item = (&'static str, &'static s
 /// Permissions and inputs of one run of the interpreter.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Folders that are searched for the scene's included files.
+    /// Folders that are searched for the files that the scene names: included files, pictures, fonts and others.
     pub search: SearchPath,
     /// Files that the scene may read and write.
     pub sandbox: Sandbox,
@@ -110,7 +110,8 @@ impl Default for Options {
 pub struct Outcome {
     /// The interpreted scene; `None` after errors.
     pub scene: Option<Scene>,
-    /// Errors and warnings about the scene, in the order of the text.
+    /// Errors and warnings about the scene, in the order in which they were found; those of the parser follow those of
+    /// the run.
     pub diagnostics: Vec<Diagnostic>,
     /// True if a limit on steps, memory or time ended the run (exit code 4).
     pub limit_reached: bool,
@@ -244,8 +245,8 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        let errors_in_unused = self.evaluator.scopes().faults_of_unused_declarations().cloned().collect();
-        self.reporter.report_deferred(errors_in_unused);
+        let faults_of_declarations = self.evaluator.scopes().faults_of_failed_declarations().cloned().collect();
+        self.reporter.report_deferred(faults_of_declarations);
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
         let (scene, origins) = self.builder.into_scene_and_call_traces();
@@ -287,8 +288,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Returns the error for a name that is not declared.
-    fn undeclared(&self, symbol: Symbol, span: Span) -> Diagnostic {
+    fn undeclared_name_error(&self, symbol: Symbol, span: Span) -> Diagnostic {
         let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
-        self.reporter.undeclared(self.inputs.names.text(symbol), span, declared)
+        self.reporter.undeclared_name_error(self.inputs.names.text(symbol), span, declared)
     }
 }

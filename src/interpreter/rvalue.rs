@@ -77,7 +77,7 @@ impl<'a> Interpreter<'a> {
         self.read_value().map(|(value, _)| Slot::Value(value))
     }
 
-    /// Returns a function's name alone, or reads its call.
+    /// Returns the function or spline `value` itself, or reads its call if a `(` follows its name.
     fn read_call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
         if self.call_follows()? { self.read_rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
     }
@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
         Ok(Arc::new(thing))
     }
 
-    /// Reads the contents of `#default { … }` or `default { … }`.
+    /// Reads the contents of `#default { … }` or `default { … }` up to the `}`, and changes the defaults.
     pub(super) fn read_defaults(&mut self) -> Result<()> {
         loop {
             let next = Reader::peek_next(self)?;

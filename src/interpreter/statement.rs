@@ -9,7 +9,7 @@ use crate::scene::{Object, is_object, read_camera};
 use crate::shape::Shape;
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Punctuation};
-use crate::texture::warn_of_byte_color;
+use crate::texture::warn_if_color_in_bytes;
 use crate::value::words::word;
 use crate::value::{Family, Next, Reader, Spec, ValueKind};
 
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
             Next::Block(word) => self.read_top_block(word)?,
             Next::Word("max_trace_level") => self.read_stray_trace_level()?,
             Next::Word(word @ ("declare" | "include")) => self.run_bare_directive(word)?,
-            Next::Value if self.at_bare_version() => self.run_bare_directive("version")?,
+            Next::Value if self.is_at_bare_version() => self.run_bare_directive("version")?,
             Next::Word(word) if STATEMENTS.ignores(word) => {
                 self.take_token()?;
                 self.float()?;
@@ -101,7 +101,7 @@ impl Interpreter<'_> {
             "background" => {
                 let at = self.span();
                 let color = self.color()?;
-                warn_of_byte_color(self, at, &color);
+                warn_if_color_in_bytes(self, at, &color);
                 self.builder.set_background(color);
             }
             "sky_sphere" => {
@@ -153,7 +153,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn at_bare_version(&self) -> bool {
+    fn is_at_bare_version(&self) -> bool {
         self.stream.next_raw_element().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
@@ -244,7 +244,7 @@ impl Interpreter<'_> {
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
     }
 
-    /// Sets the properties that depend on the whole text, and closes open files.
+    /// Sets the properties that depend on the whole text, closes open files, and warns about a scene without a camera.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
         self.builder.set_final_version_properties();

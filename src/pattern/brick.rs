@@ -17,7 +17,7 @@ use serde::Serialize;
 pub struct Brick {
     /// Distance from the start of one brick to the start of the next, along each axis.
     pub size: DVec3,
-    /// Thickness of the mortar between bricks, as a part of `size`.
+    /// Thickness of the mortar between bricks, in units of the pattern; `size` includes the mortar.
     pub mortar: f64,
 }
 

@@ -105,7 +105,7 @@ pub trait Field {
         None
     }
 
-    /// Wave type of the pattern unless one is given.
+    /// Wave type that the pattern's name sets; `None` if the name leaves the wave type unchanged.
     fn default_wave(&self) -> Option<Wave> {
         None
     }

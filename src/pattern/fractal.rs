@@ -66,10 +66,10 @@ const JULIA: Param =
     Param { name: "complex", kind: ValueKind::Vector2, summary: "the number that is the same for all points" };
 
 impl OrbitValue {
-    fn read(word: &str, last: u8, r: &mut dyn Reader) -> Result<Self> {
+    fn read(word: &str, max_kind: u8, r: &mut dyn Reader) -> Result<Self> {
         let (span, kind) = (r.span(), r.float()?);
-        if !(0.0..f64::from(last) + 1.0).contains(&kind) {
-            let message = format!("`{word}` is one of 0 to {last}, found {kind}");
+        if !(0.0..f64::from(max_kind) + 1.0).contains(&kind) {
+            let message = format!("`{word}` is one of 0 to {max_kind}, found {kind}");
             return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
         }
         Ok(Self { kind: kind as u8, factor: r.float()? })

@@ -26,7 +26,7 @@ impl Readable for Radial {
 
 impl Field for Radial {
     fn value(&self, at: &TextureContext) -> f64 {
-        // LocalBounds the axis the number is constant; the angle from -z exceeds 1, which the wave wraps.
+        // Near the axis the number is constant; the angle from -z exceeds 1, which the wave wraps.
         if at.p.x.abs() < 0.001 && at.p.z.abs() < 0.001 {
             return 0.25;
         }

@@ -64,7 +64,7 @@ pub struct Source {
     pub frequency: f64,
 }
 
-/// Returns the first `count` sources of waves; at most 4096 exist.
+/// Returns the first `count` sources of waves: at least one, and at most 4096.
 pub fn wave_sources(count: usize) -> &'static [Source] {
     &SOURCES[..count.clamp(1, SOURCES.len())]
 }

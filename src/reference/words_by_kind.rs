@@ -5,7 +5,7 @@ use crate::interpreter::directives;
 use crate::pattern::Modifiers;
 use crate::shape::Shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
-use crate::syntax::{continues, opens};
+use crate::syntax::{directive_continues_body, directive_opens_body};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Family, ValueKind};
 
@@ -46,8 +46,8 @@ pub fn words_by_kind() -> WordsByKind {
     WordsByKind {
         functions: sorted(FUNCTIONS.iter().copied()),
         constants: sorted(CONSTANTS.iter().map(|(name, _)| *name)),
-        openers: some(opens),
-        continuers: some(continues),
+        openers: some(directive_opens_body),
+        continuers: some(directive_continues_body),
         objects,
         blocks,
         words,

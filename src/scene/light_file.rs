@@ -31,7 +31,8 @@ pub enum LightKind {
     /// Photons on surfaces, and then photons in media. Record: position, flux and direction, 3 × `f32` each, and the axis of
     /// the division in the tree.
     Photons,
-    /// Samples of radiosity. Record: point, normal and light, 3 × `f64` each, the radius, and the number of bounces.
+    /// Samples of radiosity. Record: point, normal, light, and direction to the nearest surface, 3 × `f64` each, the
+    /// radius, the distance to the nearest surface, and the number of bounces.
     Radiosity,
 }
 

@@ -43,11 +43,12 @@ use std::sync::Arc;
 /// Contents of the scene.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
-    /// Number of the last `#version`, times 100.
+    /// Language version in force at the end of the text, times 100: that of the last `#version` or of `--language`, or
+    /// 370.
     pub version: u32,
     /// Values of `global_settings`.
     pub settings: Settings,
-    /// The last camera; POV-Ray's default camera if the scene has none.
+    /// The last camera of the text, that of `#default` included; POV-Ray's default camera if the scene has none.
     pub camera: Camera,
     /// Spans of all cameras in the text; the last camera is used.
     #[serde(skip)]

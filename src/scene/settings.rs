@@ -16,7 +16,8 @@ use serde::Serialize;
 /// Values of `global_settings`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// Value of `assumed_gamma`; `None` until the scene states it.
+    /// Value of `assumed_gamma`; while the scene is read, `None` until the scene states it. Never `None` in a finished
+    /// scene.
     pub gamma: Option<Gamma>,
     /// Maximum number of reflections and refractions of a ray.
     pub max_trace_level: u32,
@@ -26,7 +27,8 @@ pub struct Settings {
     pub ambient_light: Rgb,
     /// Wavelengths of red, green and blue in the units of `irid { thickness }`.
     pub irid_wavelength: Rgb,
-    /// Noise generator of patterns and functions; `None` if the scene sets none.
+    /// Noise generator of patterns and functions; while the scene is read, `None` until the scene sets it. Never `None`
+    /// in a finished scene.
     pub noise_generator: Option<NoiseGenerator>,
     /// Number of wave sources of the patterns `ripples` and `waves`.
     pub number_of_waves: usize,
@@ -72,7 +74,7 @@ impl Settings {
     /// Reads the contents of a `global_settings` block.
     ///
     /// # Errors
-    /// With the span of the unexpected token, and the expectation.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
         loop {
             match r.peek_next()? {
@@ -101,7 +103,7 @@ impl Settings {
     /// Reads the number after `max_trace_level`, which old scenes also state outside of `global_settings`.
     ///
     /// # Errors
-    /// With the span of the unexpected token, and the expectation.
+    /// A diagnostic at the first item that is not understood.
     pub fn read_max_trace_level(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
         Ok(())

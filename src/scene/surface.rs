@@ -23,9 +23,9 @@ pub struct Painted {
 }
 
 impl Painted {
-    /// Sets a texture on an object that already has the transform `before`.
-    pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
-        Self { texture, moved: (!before.is_identity()).then(|| IDENTITY.clone()) }
+    /// Sets a texture on an object that already has the transform `block_from_object`.
+    pub fn new(texture: Arc<Texture>, block_from_object: &Transform) -> Self {
+        Self { texture, moved: (!block_from_object.is_identity()).then(|| IDENTITY.clone()) }
     }
 
     /// Appends a transform of the object, which also transforms the texture.
@@ -45,7 +45,7 @@ impl Painted {
 /// Reads consecutive `texture` blocks as layers, the lowest first.
 ///
 /// # Errors
-/// With the span of the unexpected token, and the expectation.
+/// A diagnostic at the first item that is not understood.
 pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     let mut layers = vec![];
     let mut next = r.peek_next()?;
@@ -64,7 +64,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
             },
             _ => break,
         }
-        next = r.peek_until_directive()?;
+        next = r.peek_next_unless_separated()?;
     }
     layers.shrink_to_fit();
     let mut texture = Texture { layers };
@@ -97,7 +97,7 @@ impl Thing for Material {
 /// Reads the contents of a `material` block; `interior` is what the object has so far.
 ///
 /// # Errors
-/// With the span of the unexpected token, and the expectation.
+/// A diagnostic at the first item that is not understood.
 pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<Arc<Interior>>) -> Result<Material> {
     let mut out = Material { interior, ..Material::default() };
     loop {

@@ -439,7 +439,8 @@ pub struct Arm {
 pub enum When {
     /// Condition `#case`: the switch value equals this value.
     Case(Head),
-    /// Condition `#range`: the switch value is between two ends, both included.
+    /// Condition `#range`: the switch value is between two ends, both included. Contents of the parentheses with the
+    /// ends; `None` if there are no parentheses.
     Range(Option<Box<[Element]>>),
     /// Condition of the `#else` arm, which holds if no other arm does.
     Otherwise,

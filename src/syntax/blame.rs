@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, codes};
 /// Returns all opening and closing braces in order: token index, line and, for an opening brace, its pair. The line of
 /// an opening brace is the line of the word before the brace.
 fn braces_lines_and_pairs(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>)> {
-    let is_brace = |&token: &usize| matches!(outline.word(token), "{" | "}");
+    let is_brace = |&token: &usize| matches!(outline.token_text(token), "{" | "}");
     (0..outline.tokens.len()).filter(is_brace).map(|token| {
         let opened = outline.opened_by(token);
         let start = opened.map_or(outline.tokens[token].range.start, |pair| pair.head.start);
@@ -31,7 +31,8 @@ enum Evidence<'o> {
     Closer(&'o Pair, usize),
 }
 
-/// Returns the error for the opening brace that most probably lacks its `}`; `None` without evidence.
+/// Returns the error for the opening brace that most probably lacks its `}`; `None` without evidence, or if no brace is
+/// open at the end of the text.
 pub fn unclosed_brace_error(outline: &Outline) -> Option<Diagnostic> {
     // Match each `}` with the last `{`, also across the bodies of directives.
     let mut stack: Vec<(&Pair, Line)> = vec![];
@@ -114,7 +115,7 @@ fn directives_with_body(outline: &Outline) -> impl Iterator<Item = &Pair> {
 }
 
 fn unclosed_directive_error(outline: &Outline, pair: &Pair) -> Diagnostic {
-    let message = format!("this `{}` is not closed", outline.word(pair.opener));
+    let message = format!("this `{}` is not closed", outline.token_text(pair.opener));
     Diagnostic::new(codes::UNCLOSED, outline.token_span(pair.opener), message)
 }
 
@@ -123,7 +124,7 @@ fn endif_like_word_error(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
     let end = outline.tokens[open.opener..].iter().find(|token| is_other_end(outline.directive_word(token)))?;
     let message = format!("there is no directive `#{}`", outline.directive_word(end));
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, outline.span(&end.range), message);
-    let unclosed = format!("this `{}` is not closed", outline.word(open.opener));
+    let unclosed = format!("this `{}` is not closed", outline.token_text(open.opener));
     Some(d.also(outline.token_span(open.opener), unclosed).help("every directive with a body ends with `#end`"))
 }
 

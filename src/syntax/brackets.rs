@@ -44,7 +44,7 @@ impl Opener {
         }
     }
 
-    /// True for `?` and the `<` of a vector, which end together with the bracket around them.
+    /// True for `?`, its `:` and the `<` of a vector, which end together with the bracket around them.
     fn is_closed_by_outer(self) -> bool {
         matches!(self, Opener::Angle | Opener::Choice | Opener::Otherwise)
     }
@@ -67,11 +67,11 @@ impl Brackets {
         self.stack.is_empty()
     }
 
-    pub(super) fn too_deep(&self) -> bool {
+    pub(super) fn is_too_deep(&self) -> bool {
         self.stack.len() > MAX_DEPTH
     }
 
-    pub(super) fn in_function(&self) -> bool {
+    pub(super) fn is_in_function(&self) -> bool {
         self.functions > 0
     }
 
@@ -81,14 +81,14 @@ impl Brackets {
         let around = open
             .take_while(|o| *o != Opener::Angle)
             .find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice | Opener::Otherwise));
-        self.in_function() || around == Some(Opener::Paren)
+        self.is_in_function() || around == Some(Opener::Paren)
     }
 
     /// True if a list of literals is allowed at the present position: between elements, but not inside vectors,
     /// parentheses and functions.
     pub(super) fn allows_number_lists(&self) -> bool {
         let top = self.stack.last().map(|o| o.0);
-        !self.in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
+        !self.is_in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
     }
 
     fn pop(&mut self) {
@@ -104,7 +104,7 @@ impl Brackets {
     }
 
     /// Closes the innermost bracket that matches the class `closer`, and returns the bracket and its token index.
-    /// Brackets inside it stay unmatched.
+    /// Brackets inside it stay unmatched. `None` if no bracket in the same body matches; then nothing is closed.
     pub(super) fn close_and_opener_token(&mut self, closer: u8) -> Option<(Opener, usize)> {
         let body = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_))).map_or(0, |i| i + 1);
         let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
@@ -132,7 +132,7 @@ impl Brackets {
     }
 
     /// Ends the present body of the innermost directive, at `#else` or `#end`, and returns the directive's class. The
-    /// directive stays open.
+    /// directive stays open. `None` if no directive is open.
     pub(super) fn end_body_and_class(&mut self) -> Option<u8> {
         let depth = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_)))?;
         self.pop_to(depth + 1);

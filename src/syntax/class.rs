@@ -28,7 +28,7 @@ macro_rules! classes {
 
 classes! {
     KEYWORD b'k' "`sphere`, `color`, `translate` …",
-    NAME b'n' "What authors declare, and constants: `x`, `pi`, `clock`.",
+    NAME b'n' "A name that an author chose, or a constant: `x`, `pi`, `clock`.",
     BUILTIN b'f' "`sin`, `vlength` …",
     HEAD b'b' "A word followed by its complete block.",
     FUNCTION b'u' "`function`",
@@ -42,7 +42,7 @@ classes! {
     TIMES b'*' "`*`",
     OVER b'/' "`/`",
     NOT b'!' "`!`",
-    LESS b'<' "A `<` that compares, or whose `>` does not stand where it could be met.",
+    LESS b'<' "A `<` that compares, or that has no `>` in the same brackets.",
     GREATER b'>' "A `>` that compares.",
     LESS_EQUAL b'4' "`<=`",
     GREATER_EQUAL b'5' "`>=`",
@@ -54,15 +54,15 @@ classes! {
     COMMA b',' "`,`",
     SEMICOLON b';' "`;`",
     BRACE b'{' "A `{` whose `}` is in the same body.",
-    BRACE_END b'}' "Its `}`.",
+    BRACE_END b'}' "The `}` of a `BRACE`.",
     PAREN b'(' "A `(` whose `)` is in the same body.",
-    PAREN_END b')' "Its `)`.",
+    PAREN_END b')' "The `)` of a `PAREN`.",
     BRACKET b'[' "A `[` whose `]` is in the same body.",
-    BRACKET_END b']' "Its `]`.",
+    BRACKET_END b']' "The `]` of a `BRACKET`.",
     VECTOR b'0' "A `<` that opens a vector.",
-    VECTOR_END b'9' "Its `>`.",
+    VECTOR_END b'9' "The `>` of a `VECTOR`.",
     CHOICE b'?' "A `?` whose `:` is in the same brackets.",
-    CHOICE_ELSE b':' "Its `:`.",
+    CHOICE_ELSE b':' "The `:` of a `CHOICE`.",
     LOOSE b'~' "A bracket without its partner in this body, or a character without meaning.",
     DECLARE b'D' "`#declare`, `#local`",
     IF b'I' "`#if`",
@@ -100,8 +100,8 @@ const DIRECTIVES: &[(&str, u8, Role)] = &[
     ("end", END, Role::Ends),
 ];
 
-/// Returns the class and role of the directive of this name; `None` for directives without a body.
-pub(super) fn directive(word: &str) -> Option<(u8, Role)> {
+/// Returns the class and role of the directive of this name; `None` for a [`PLAIN`] one such as `#include`.
+pub(super) fn directive_class_and_role(word: &str) -> Option<(u8, Role)> {
     DIRECTIVES.iter().find(|(name, ..)| *name == word).map(|&(_, class, role)| (class, role))
 }
 
@@ -111,17 +111,17 @@ pub fn structural_directives() -> impl Iterator<Item = &'static str> {
 }
 
 /// True if the directive of this name opens a body that `#end` closes.
-pub fn opens(word: &str) -> bool {
+pub fn directive_opens_body(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && row.2 == Role::Opens)
 }
 
 /// True if the directive of this name begins a further body before the `#end`, as `#else` does.
-pub fn continues(word: &str) -> bool {
+pub fn directive_continues_body(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && matches!(row.2, Role::Continues(_)))
 }
 
 /// True if a directive of this class opens a body.
-pub(super) fn opens_body(class: u8) -> bool {
+pub(super) fn class_opens_body(class: u8) -> bool {
     DIRECTIVES.iter().any(|row| row.1 == class && row.2 == Role::Opens)
 }
 

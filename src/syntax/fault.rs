@@ -41,7 +41,8 @@ pub fn is_other_elseif(word: &str) -> bool {
     matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
 }
 
-/// Returns the error for `#elsif`: the directive and the elements after it are skipped with the branch before.
+/// Returns the error for `#elsif`, with severity `Warning`: the directive and the elements after it are skipped with
+/// the branch before.
 pub(super) fn elsif_error(word: &str, span: Span) -> Diagnostic {
     let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).help("write `#elseif`");
@@ -183,7 +184,8 @@ fn word_at_end(text: &str) -> Option<&str> {
     word.starts_with(|c: char| c.is_alphabetic() || c == '_').then_some(word)
 }
 
-/// Returns the offset of a vector's `<` that is still open at the offset `at`, judging by this line and the one before.
+/// Returns the offset of a vector's `<` that is still open at the offset `at`; `None` if a brace, `;`, `#` or quote is
+/// nearer than such a `<`.
 fn open_vector_start(text: &str, at: usize) -> Option<usize> {
     let mut depth = 0;
     for (i, c) in text[..at].char_indices().rev() {

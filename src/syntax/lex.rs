@@ -90,14 +90,14 @@ impl Lexer<'_> {
             let at = self.at;
             match b {
                 _ if is_blank(b) => self.at += 1,
-                b'a'..=b'z' | b'A'..=b'Z' | b'_' => self.word(),
-                b'0'..=b'9' | b'.' | b'<' | b'-' | b'+' => self.number_or_sign(b),
-                b'"' => self.string(),
-                b'/' if matches!(self.bytes.get(at + 1), Some(b'/' | b'*')) => self.comment(),
-                b'#' => self.directive(),
-                b'{' | b'(' | b'[' | b'?' => self.open(b),
-                b'}' | b')' | b']' | b'>' | b':' => self.close(b),
-                b'=' | b'!' => self.operator(b),
+                b'a'..=b'z' | b'A'..=b'Z' | b'_' => self.scan_word(),
+                b'0'..=b'9' | b'.' | b'<' | b'-' | b'+' => self.scan_number_or_sign(b),
+                b'"' => self.scan_string(),
+                b'/' if matches!(self.bytes.get(at + 1), Some(b'/' | b'*')) => self.scan_comment(),
+                b'#' => self.scan_directive(),
+                b'{' | b'(' | b'[' | b'?' => self.scan_opening_bracket(b),
+                b'}' | b')' | b']' | b'>' | b':' => self.scan_closing_bracket(b),
+                b'=' | b'!' => self.scan_equal_or_not(b),
                 b',' | b';' => {
                     self.push(b, 1, 0);
                     self.brackets.end_conditional_expressions();
@@ -108,13 +108,13 @@ impl Lexer<'_> {
                 b'*' | b'/' | b'&' | b'|' => self.push(b, 1, 0),
                 _ => self.push_stray_character(),
             }
-            if self.out.faults.len() >= MAX_FAULTS || self.brackets.too_deep() {
+            if self.out.faults.len() >= MAX_FAULTS || self.brackets.is_too_deep() {
                 break;
             }
         }
-        if self.brackets.too_deep() {
+        if self.brackets.is_too_deep() {
             let message = format!("more than {MAX_DEPTH} brackets and directives are nested here");
-            self.fault(codes::TOO_DEEP, self.at - 1, self.at, message, None);
+            self.add_fault(codes::TOO_DEEP, self.at - 1, self.at, message, None);
         } else {
             self.end_open_directives();
         }
@@ -134,7 +134,7 @@ impl Lexer<'_> {
     }
 
     /// True if the previous token ends an operand, so that a sign after it is a binary operator.
-    fn after_operand(&self) -> bool {
+    fn is_after_operand(&self) -> bool {
         match self.previous_class() {
             class::NAME | class::NUMBER | class::LITERAL | class::NUMBERS | class::STRING => true,
             class::PAREN_END | class::BRACKET_END | class::VECTOR_END | class::GREATER => true,
@@ -160,7 +160,7 @@ impl Lexer<'_> {
         from + rest.iter().position(|b| !(b.is_ascii_alphanumeric() || *b == b'_')).unwrap_or(rest.len())
     }
 
-    fn word(&mut self) {
+    fn scan_word(&mut self) {
         let end = self.word_end(self.at);
         let text = &self.text[self.at..end];
         let (class, data) = match word::word_number_and_category(text) {
@@ -173,7 +173,7 @@ impl Lexer<'_> {
         self.push(class, end - self.at, data);
     }
 
-    fn number_or_sign(&mut self, b: u8) {
+    fn scan_number_or_sign(&mut self, b: u8) {
         if let Some((class, end)) = self.literal_class_and_end(b) {
             let index = self.out.lists.len() as u32;
             self.out.lists.extend(self.lists.as_mut().map(ListScanner::take_items));
@@ -183,7 +183,7 @@ impl Lexer<'_> {
             b'<' if self.bytes.get(self.at + 1) == Some(&b'=') => self.push(class::LESS_EQUAL, 2, 0),
             b'<' => {
                 // Stays this class if it is not a vector: the `>` decides.
-                if !(self.brackets.in_function() || self.after_operand() && self.brackets.less_sign_compares()) {
+                if !(self.brackets.is_in_function() || self.is_after_operand() && self.brackets.less_sign_compares()) {
                     self.brackets.open(Opener::Angle, self.out.tokens.len());
                 }
                 self.push(class::LESS, 1, 0);
@@ -202,7 +202,7 @@ impl Lexer<'_> {
 
     /// Returns the class and the end of a list of literals or a vector of numbers at the present position.
     fn literal_class_and_end(&mut self, b: u8) -> Option<(u8, usize)> {
-        let after_operand = self.after_operand();
+        let after_operand = self.is_after_operand();
         // Lists are allowed between elements: not inside expressions, vectors or functions.
         let goes_on = matches!(
             self.previous_class(),
@@ -215,7 +215,7 @@ impl Lexer<'_> {
             class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL
         ) || matches!(self.previous_class(), class::LESS | class::GREATER);
         let vector =
-            b == b'<' && !self.brackets.in_function() && !(after_operand && self.brackets.less_sign_compares());
+            b == b'<' && !self.brackets.is_in_function() && !(after_operand && self.brackets.less_sign_compares());
         let lists = self.lists.as_mut()?;
         if self.brackets.allows_number_lists()
             && !goes_on
@@ -228,7 +228,7 @@ impl Lexer<'_> {
         Some((class::LITERAL, end))
     }
 
-    fn operator(&mut self, b: u8) {
+    fn scan_equal_or_not(&mut self, b: u8) {
         match (b, self.bytes.get(self.at + 1)) {
             (b'!', Some(b'=')) => self.push(class::NOT_EQUAL, 2, 0),
             _ => self.push(b, 1, 0),
@@ -236,7 +236,7 @@ impl Lexer<'_> {
     }
 
     /// Adds a token for an opening bracket, as unmatched until its partner is found.
-    fn open(&mut self, b: u8) {
+    fn scan_opening_bracket(&mut self, b: u8) {
         let opener = match b {
             b'{' if self.next_brace_opens_function() => Opener::FunctionBrace,
             b'{' => Opener::Brace,
@@ -249,7 +249,7 @@ impl Lexer<'_> {
         self.push(class::LOOSE, 1, 0);
     }
 
-    fn close(&mut self, b: u8) {
+    fn scan_closing_bracket(&mut self, b: u8) {
         if b == b'>' && self.bytes.get(self.at + 1) == Some(&b'=') {
             return self.push(class::GREATER_EQUAL, 2, 0);
         }
@@ -302,7 +302,7 @@ impl Lexer<'_> {
                 .any(|(back, class)| *class == class::FUNCTION && matches!(back, 0 | 1 | 3))
     }
 
-    fn string(&mut self) {
+    fn scan_string(&mut self) {
         let (start, mut at) = (self.at, self.at + 1);
         loop {
             match memchr::memchr2(b'"', b'\\', &self.bytes[at.min(self.bytes.len())..]) {
@@ -313,7 +313,7 @@ impl Lexer<'_> {
                 None => {
                     let end = self.text[start..].find(['\n', '\r']).map_or(self.bytes.len(), |i| start + i);
                     let help = "strings end with a second `\"`; inside one, write `\\\"` for a quote";
-                    self.fault(codes::UNCLOSED, start, end, "this string is not closed".into(), Some(help));
+                    self.add_fault(codes::UNCLOSED, start, end, "this string is not closed".into(), Some(help));
                     self.at = self.bytes.len();
                     return;
                 }
@@ -321,7 +321,7 @@ impl Lexer<'_> {
         }
     }
 
-    fn comment(&mut self) {
+    fn scan_comment(&mut self) {
         let start = self.at;
         if self.bytes[start + 1] == b'/' {
             let rest = &self.bytes[start..];
@@ -339,7 +339,7 @@ impl Lexer<'_> {
         while depth > 0 {
             let Some(step) = memchr::memchr(b'*', &self.bytes[at..]) else {
                 let help = "add `*/` where it should end; comments nest: each `/*` needs its own `*/`";
-                self.fault(codes::UNCLOSED, start, start + 2, "this comment is not closed".into(), Some(help));
+                self.add_fault(codes::UNCLOSED, start, start + 2, "this comment is not closed".into(), Some(help));
                 self.at = self.bytes.len();
                 return false;
             };
@@ -358,7 +358,7 @@ impl Lexer<'_> {
         true
     }
 
-    fn directive(&mut self) {
+    fn scan_directive(&mut self) {
         let rest = &self.text[self.at + 1..];
         let start = self.text.len() - rest.trim_start_matches(|c| matches!(c, ' ' | '\t') || is_ignored_char(c)).len();
         let end = self.word_end(start);
@@ -369,7 +369,7 @@ impl Lexer<'_> {
             return;
         }
         let (at, token) = (self.at, self.out.tokens.len());
-        match class::directive(word) {
+        match class::directive_class_and_role(word) {
             None => {
                 let symbol = self.names.intern(word).0;
                 if is_other_elseif(word) && self.out.faults.is_empty() {
@@ -406,7 +406,7 @@ impl Lexer<'_> {
             "elseif" => "it belongs into an `#if`, before its `#else`",
             _ => "it continues an `#if` or a `#switch`, once",
         };
-        self.fault(codes::UNMATCHED_CLOSER, at, end, format!("`#{word}` continues nothing"), Some(help));
+        self.add_fault(codes::UNMATCHED_CLOSER, at, end, format!("`#{word}` continues nothing"), Some(help));
         self.at = end;
     }
 
@@ -442,7 +442,7 @@ impl Lexer<'_> {
         Span::new(self.base_in_sources + lo, self.base_in_sources + hi)
     }
 
-    fn fault(&mut self, code: Code, lo: usize, hi: usize, message: String, help: Option<&str>) {
+    fn add_fault(&mut self, code: Code, lo: usize, hi: usize, message: String, help: Option<&str>) {
         let d = Diagnostic::new(code, self.span(lo, hi), message).maybe_help(help.map(str::to_string));
         self.out.faults.push(d);
     }

@@ -44,9 +44,9 @@ pub fn lint_scene(sources: &Sources, scene_and_includes: &[FileId], lints: Lints
     out
 }
 
-fn unused_name_warnings(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+fn unused_name_warnings(own_file: &Outline, all_files: &[Outline]) -> Vec<Diagnostic> {
     let mut used: FxHashSet<&str> = FxHashSet::default();
-    for outline in all {
+    for outline in all_files {
         let read = outline.uses.iter().filter(|one| one.is_read);
         used.extend(read.map(|one| outline.slice(&one.range)));
         // A loop's counter may be a declared name.
@@ -56,23 +56,24 @@ fn unused_name_warnings(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
     use DeclarationKind::{Declare, Local, Macro};
     let mut reported = FxHashSet::default();
     let mut out = vec![];
-    for d in own.declarations.iter().filter(|d| matches!(d.kind, Declare | Local | Macro)) {
+    for d in own_file.declarations.iter().filter(|d| matches!(d.kind, Declare | Local | Macro)) {
         let name = d.name.as_str();
         // A leading `_` marks an intentionally unused name.
         if !used.contains(name) && !name.starts_with('_') && reported.insert(name) {
             let kind = if d.kind == Macro { "the macro " } else { "" };
             let message = format!("{kind}`{name}` is declared and never used");
             let help = format!("remove it, or call it `_{name}` if that is meant");
-            out.push(Diagnostic::new(codes::UNUSED_NAME, own.span(&d.range), message).help(help));
+            out.push(Diagnostic::new(codes::UNUSED_NAME, own_file.span(&d.range), message).help(help));
         }
     }
     out
 }
 
-/// Returns a warning for each parameter and `#local` of a macro in `own` that has the name of a global declaration in any outline.
-fn locals_hiding_globals(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+/// Returns a warning for each parameter and `#local` of a macro in `own_file` that has the name of a global declaration
+/// in any outline.
+fn locals_hiding_globals(own_file: &Outline, all_files: &[Outline]) -> Vec<Diagnostic> {
     let mut globals: FxHashMap<&str, Span> = FxHashMap::default();
-    for outline in all {
+    for outline in all_files {
         let global = |d: &&Declaration| d.scope.is_none() && d.kind != DeclarationKind::Counter;
         for d in outline.declarations.iter().filter(global) {
             globals.entry(&d.name).or_insert_with(|| outline.span(&d.range));
@@ -86,11 +87,11 @@ fn locals_hiding_globals(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
         };
         let (name, outer) = (&d.name, *globals.get(d.name.as_str())?);
         let message = format!("the {kind} `{name}` hides a name that is declared outside of the macro");
-        let d =
-            Diagnostic::new(codes::HIDDEN_NAME, own.span(&d.range), message).label("from here on, this one is meant");
+        let d = Diagnostic::new(codes::HIDDEN_NAME, own_file.span(&d.range), message)
+            .label("from here on, this one is meant");
         Some(d.also(outer, "not this one").help("give it another name"))
     };
-    own.declarations.iter().filter_map(hides).collect()
+    own_file.declarations.iter().filter_map(hides).collect()
 }
 
 #[cfg(test)]

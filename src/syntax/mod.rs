@@ -18,7 +18,7 @@ mod tokens;
 pub mod word;
 
 pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, split_one_level, unescape};
-pub use class::{continues, opens, structural_directives};
+pub use class::{directive_continues_body, directive_opens_body, structural_directives};
 pub use lex::is_ignored_char;
 pub use names::Names;
 pub use outline::Outline;

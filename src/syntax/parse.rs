@@ -82,8 +82,8 @@ pub fn parse_text(
     (Ast { elements, tokens, unclosed }, faults)
 }
 
-/// Splits a text into tokens and returns them with the faults that [`parse_text`] would find, without building a tree.
-/// The text's first byte has the global offset `base_in_sources`.
+/// Splits a text into tokens and returns them with their faults: those that [`parse_text`] finds, except for tokens
+/// that the grammar rejects. The text's first byte has the global offset `base_in_sources`.
 pub fn tokens_of(text: &str, base_in_sources: usize) -> (Tokens, Vec<Diagnostic>) {
     tokens_and_faults(lex(text, base_in_sources, &Names::default(), true), text, base_in_sources)
 }

@@ -6,7 +6,8 @@ use crate::source::Span;
 /// All tokens and comments of a file, in order.
 #[derive(Debug, Default)]
 pub struct Tokens {
-    /// Tokens of the text in ascending order of their offsets.
+    /// Tokens of the text in ascending order of their offsets; at the end, an empty one for each directive without
+    /// `#end`.
     pub(super) tokens: Vec<Token>,
     /// Lexical class of each token.
     pub(super) classes: Vec<u8>,
@@ -49,7 +50,8 @@ impl Tokens {
         self.tokens.is_empty()
     }
 
-    /// Returns the tokens and comments in the order of the text, without blanks and characters without meaning.
+    /// Returns the tokens and comments in the order of the text. Blanks and the characters of
+    /// [`super::is_ignored_char`] are left out; any other character without meaning is a token.
     pub fn tokens_and_comments(&self) -> impl Iterator<Item = Piece> + '_ {
         let span = |lo: u32, hi: u32| Span::new(self.base_in_sources + lo as usize, self.base_in_sources + hi as usize);
         let token = move |t: &Token| Piece::Token(span(t.start, t.end));

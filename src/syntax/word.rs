@@ -32,12 +32,13 @@ impl Category {
     }
 }
 
-/// Returns the word as a static string and its category; `None` for names that authors may declare.
+/// Returns a word of any category as a static string, with its category; `None` for any other name. Scenes may declare
+/// some of these words; [`reserved`] returns the others.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
     word_number_and_category(word).map(|(number, category)| (word_of_number(number).name, category))
 }
 
-/// Returns the table entry of a reserved word.
+/// Returns the table entry of a word of any category; `None` for any other name.
 pub fn entry(word: &str) -> Option<&'static Word> {
     word_number_and_category(word).map(|(number, _)| word_of_number(number))
 }

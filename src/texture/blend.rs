@@ -2,7 +2,7 @@
 //! "Normal Maps", "Texture Maps").
 
 use super::Texture;
-use super::doubts::warn_of_descending_map;
+use super::doubts::warn_if_map_descends;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::cancel;
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
@@ -22,8 +22,9 @@ pub struct Map<T> {
 pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 
 impl<T> Map<T> {
-    /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. The
-    /// last entry from its own number on, the first up to its own number.
+    /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. Returns
+    /// one entry with `None` beyond the ends: the last entry from its number on, else the first up to its number and
+    /// for NaN.
     pub fn entries_and_fraction_at(&self, number: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
         // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
@@ -75,12 +76,13 @@ impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads the entries of a map, `{ [0.0 …] [1.0 …] }`, after the brace, or a declared map. With `average` the
-    /// numbers are weights; a missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
+    /// Reads the entries of a map, `{ [0.0 …] [1.0 …] }`, after the brace, or a declared map. With
+    /// `numbers_are_weights`, as for `average`, a missing weight is 1, but a weight must precede a colour (quirk:
+    /// `average_weights`).
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.
-    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
+    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, numbers_are_weights: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
         }
@@ -90,7 +92,7 @@ where
             r.take_token()?;
             let number = match r.optional_float()? {
                 Some(number) => number,
-                None if average && !r.may_be_at_color()? => 1.0,
+                None if numbers_are_weights && !r.may_be_at_color()? => 1.0,
                 None => return Err(r.unexpected("the entry's number").help(example_entry::<T>()).into()),
             };
             entries.push((number, T::read_entry(r, defaults)?));
@@ -106,8 +108,8 @@ where
         }
         entries.shrink_to_fit();
         let map = Self { entries };
-        if !average {
-            warn_of_descending_map(r, span, &map);
+        if !numbers_are_weights {
+            warn_if_map_descends(r, span, &map);
         }
         Ok(map)
     }
@@ -119,8 +121,8 @@ fn example_entry<T: Entry>() -> String {
 }
 
 /// Reads the values for the cells of a pattern whose name is already read, in braces or declared, up to the pattern's
-/// count; `None` if the name was not that of a pattern of cells. The values of an object pattern are inside the
-/// object's braces.
+/// count; `None` if the name was not that of a pattern of cells. `default`
+/// gives the values that the scene leaves out. The values of an object pattern are inside the object's braces.
 pub fn read_list<T: Entry>(
     r: &mut dyn Reader,
     name: Next,

@@ -1,7 +1,7 @@
 //! `color_map`: colours along a line of numbers (manual, "Color Maps").
 
 use super::blend::Map;
-use super::doubts::warn_of_descending_map;
+use super::doubts::warn_if_map_descends;
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
@@ -84,7 +84,7 @@ impl ColorMap {
         }
         entries.shrink_to_fit();
         let map = Self { entries };
-        warn_of_descending_map(r, span, &map);
+        warn_if_map_descends(r, span, &map);
         Ok(map)
     }
 }

@@ -11,9 +11,9 @@ const BRIGHT: f64 = 20.0;
 /// Largest value of a colour's channel in painting programs.
 const BYTE: f64 = 255.0;
 
-/// Warns of a colour in numbers from 0 to 255 (W0406). Lamps painted in a bright colour are recognised by numbers that
-/// are not whole, all equal, or larger than 255.
-pub fn warn_of_byte_color(r: &mut dyn Reader, at: Span, color: &Color) {
+/// Warns of a colour in numbers from 0 to 255 (W0406): all are whole, and one is above [`BRIGHT`]. A colour with equal
+/// numbers below 255, or with a number above 255, is taken as that of a lamp that is meant to be bright.
+pub fn warn_if_color_in_bytes(r: &mut dyn Reader, at: Span, color: &Color) {
     let c = color.rgb;
     let whole = [c.x, c.y, c.z].iter().all(|x| (0.0..=BYTE).contains(x) && x.fract() == 0.0);
     let gray = c.x == c.y && c.y == c.z && c.x != BYTE;
@@ -27,7 +27,7 @@ pub fn warn_of_byte_color(r: &mut dyn Reader, at: Span, color: &Color) {
 }
 
 /// Warns of a map whose numbers descend (W0409).
-pub fn warn_of_descending_map<T>(r: &mut dyn Reader, at: Span, map: &Map<T>) {
+pub fn warn_if_map_descends<T>(r: &mut dyn Reader, at: Span, map: &Map<T>) {
     let falls = map.entries.windows(2).find(|pair| pair[1].0 < pair[0].0 - 1e-6 * pair[0].0.abs().max(1e-3));
     let Some([(before, _), (number, _)]) = falls else { return };
     let message = format!("the numbers of this map fall: {number} comes after {before}");

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Finish of a texture: how the surface reflects and emits light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finish {
-    /// Ambient light that the finish reflects, times `global_settings { ambient_light }`.
+    /// Factor of `global_settings { ambient_light }` in the ambient light that the finish reflects.
     pub ambient: Rgb,
     /// Factor of the pigment's colour in the light that the finish emits.
     pub emission: Rgb,
@@ -60,7 +60,8 @@ pub struct Uncommon {
     /// interior (quirk: `finish_ior_first`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
-    /// Caustics in the finish of an old scene, in their old unit.
+    /// Caustics in the finish of an old scene, converted to the unit of `interior { caustics }`: 1/45 of the number in
+    /// the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub caustics: Option<f64>,
     /// Factor of the transmitted light in the finish of an old scene, if the layer is the topmost.

@@ -26,7 +26,8 @@ pub struct ImageMap {
 pub struct Clearness {
     /// Filter of all colours of the `image_map`, from `filter all`.
     pub filter: Option<f64>,
-    /// Transmittance of all colours of the `image_map`, from `transmit all`; added to the picture's transparency.
+    /// Transmittance of all colours of the `image_map`, from `transmit all`; added to the picture's transparency, or in
+    /// place of it if the picture has a palette.
     pub transmit: Option<f64>,
     /// Palette index, filter and transmit for single colours of the `image_map`'s palette.
     pub palette: Vec<(u8, Option<f64>, Option<f64>)>,
@@ -35,7 +36,7 @@ pub struct Clearness {
 impl Clearness {
     /// Reads the words `filter all A` or `filter N, A` of an `image_map`.
     pub(super) fn read_filter(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match palette_index_and_amount(r)? {
+        match read_palette_index_and_amount(r)? {
             (None, amount) => self.filter = Some(amount),
             (Some(number), amount) => self.palette.push((number, Some(amount), None)),
         }
@@ -44,7 +45,7 @@ impl Clearness {
 
     /// Reads the words `transmit all A` or `transmit N, A` of an `image_map`.
     pub(super) fn read_transmit(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match palette_index_and_amount(r)? {
+        match read_palette_index_and_amount(r)? {
             (None, amount) => self.transmit = Some(amount),
             (Some(number), amount) => self.palette.push((number, None, Some(amount))),
         }
@@ -53,7 +54,7 @@ impl Clearness {
 }
 
 /// Reads the palette index, or `None` for `all`, and the amount after `filter` or `transmit`.
-fn palette_index_and_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
+fn read_palette_index_and_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
     if r.accept("all")? {
         return Ok((None, r.float()?));
     }

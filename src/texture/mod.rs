@@ -17,7 +17,7 @@ pub mod words;
 pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
 pub use density::{DENSITY, Density};
-pub use doubts::warn_of_byte_color;
+pub use doubts::warn_if_color_in_bytes;
 pub use finish::{Finish, Irid, Reflection, Uncommon};
 pub use image_map::ImageMap;
 pub use layers::{Choice, Layer, Texture};

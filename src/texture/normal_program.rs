@@ -90,7 +90,7 @@ impl NormalProgram {
             ReliefProgram::Normals(parts) => self.blend_normals(parts, &inner, n, keep_length),
             _ => match self.pattern.bumped_normal(&inner, n, self.amount) {
                 Some(bumped) => bumped,
-                None => n + self.height_gradient(&inner),
+                None => n + self.normal_change(&inner),
             },
         };
         space.normal_from_pattern_space(bumped)
@@ -129,8 +129,9 @@ impl NormalProgram {
         if average { sum } else { sum.normalize_or(sum) }
     }
 
-    /// Gradient of the bumps' height: the heights at the corners of a tetrahedron around the point are compared.
-    fn height_gradient(&self, inner: &TextureContext) -> DVec3 {
+    /// Vector that the bumps add to a normal: against the gradient of their height, in proportion to their amount. The
+    /// heights at the corners of a tetrahedron around the point are compared.
+    fn normal_change(&self, inner: &TextureContext) -> DVec3 {
         if self.pattern.is_constant() || self.pattern.is_average() {
             return DVec3::ZERO;
         }

@@ -1,7 +1,7 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::blend::{self, Blend, Entry, Map};
-use super::doubts::warn_of_byte_color;
+use super::doubts::warn_if_color_in_bytes;
 use super::words::{PIGMENT, PIGMENT_ROWS, words_of_pigment_block};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
@@ -165,7 +165,7 @@ impl Pigment {
                 if let Some((_, color)) =
                     map.entries.iter().max_by(|(_, a), (_, b)| max_channel(a).total_cmp(&max_channel(b)))
                 {
-                    warn_of_byte_color(r, at, color);
+                    warn_if_color_in_bytes(r, at, color);
                 }
                 self.paint = Paint::Colors(Arc::new(map));
                 r.leave_block()
@@ -195,7 +195,7 @@ impl Pigment {
             Next::Word(_) | Next::Value => {
                 let at = r.span();
                 let color = r.color()?.with_infinities_as_zero();
-                warn_of_byte_color(r, at, &color);
+                warn_if_color_in_bytes(r, at, &color);
                 self.paint = Paint::Solid(color);
                 self.forget_pattern();
                 Ok(())

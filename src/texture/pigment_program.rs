@@ -37,7 +37,7 @@ enum Shows {
 }
 
 impl PigmentProgram {
-    /// Lowers a pigment whose brightness a pattern uses.
+    /// Lowers a pigment to the form that is evaluated.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
         push_nodes_returning_root(pigment, &mut nodes);
@@ -99,8 +99,8 @@ impl PigmentProgram {
         self.pattern_if_black_outside().is_some()
     }
 
-    /// Returns distances along a ray of the outer space outside of which the pigment is black; `None` if no such region
-    /// is known.
+    /// Returns distances along a ray of the outer space outside of which the pigment is black: an empty range if it is
+    /// black along the whole ray; `None` if no such region is known.
     pub fn known_support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
         self.pattern_if_black_outside()?.known_support_on_ray(ray)
     }

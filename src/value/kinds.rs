@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub struct VecN {
     /// Components of the vector; those from `len` on are 0.
     pub c: [f64; 5],
-    /// Number of components of the vector, 2 to 5.
+    /// Number of components of the vector, 2 to 5; 1 for a number that is treated as a vector.
     pub len: u8,
 }
 

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 /// # Errors
 /// E0209 at the number if it is not.
 pub fn positive(word: &str, r: &mut dyn Reader) -> Result<f64> {
-    checked(word, "more than 0", |value| value > 0.0 && value.is_finite(), r)
+    read_checked(word, "more than 0", |value| value > 0.0 && value.is_finite(), r)
 }
 
 /// Reads the number after `word`, which has to be more than 0 and at most 1.
@@ -17,7 +17,7 @@ pub fn positive(word: &str, r: &mut dyn Reader) -> Result<f64> {
 /// # Errors
 /// E0209 at the number if it is not.
 pub fn positive_up_to_one(word: &str, r: &mut dyn Reader) -> Result<f64> {
-    checked(word, "more than 0 and at most 1", |value| value > 0.0 && value <= 1.0, r)
+    read_checked(word, "more than 0 and at most 1", |value| value > 0.0 && value <= 1.0, r)
 }
 
 /// Reads the number after `word`, which has to be at least 0.
@@ -25,7 +25,7 @@ pub fn positive_up_to_one(word: &str, r: &mut dyn Reader) -> Result<f64> {
 /// # Errors
 /// E0209 at the number if it is not.
 pub fn not_negative(word: &str, r: &mut dyn Reader) -> Result<f64> {
-    checked(word, "at least 0", |value| value >= 0.0, r)
+    read_checked(word, "at least 0", |value| value >= 0.0, r)
 }
 
 /// Reads the number after `word`, which has to be in `range`.
@@ -34,7 +34,7 @@ pub fn not_negative(word: &str, r: &mut dyn Reader) -> Result<f64> {
 /// E0209 at the number if it is not.
 pub fn in_range(word: &str, range: RangeInclusive<f64>, r: &mut dyn Reader) -> Result<f64> {
     let text = format!("from {} to {}", range.start(), range.end());
-    checked(word, &text, |value| range.contains(&value), r)
+    read_checked(word, &text, |value| range.contains(&value), r)
 }
 
 /// Reads the number after `word`, rounded down, which has to be from 1 to `most`.
@@ -43,10 +43,10 @@ pub fn in_range(word: &str, range: RangeInclusive<f64>, r: &mut dyn Reader) -> R
 /// E0209 at the number if it is not.
 pub fn whole_from_one(word: &str, most: u32, r: &mut dyn Reader) -> Result<u32> {
     let is_valid = |value: f64| (1.0..f64::from(most) + 1.0).contains(&value);
-    checked(word, &format!("a whole number from 1 to {most}"), is_valid, r).map(|value| value as u32)
+    read_checked(word, &format!("a whole number from 1 to {most}"), is_valid, r).map(|value| value as u32)
 }
 
-fn checked(word: &str, range_text: &str, is_valid: impl Fn(f64) -> bool, r: &mut dyn Reader) -> Result<f64> {
+fn read_checked(word: &str, range_text: &str, is_valid: impl Fn(f64) -> bool, r: &mut dyn Reader) -> Result<f64> {
     let (at, value) = (r.span(), r.float()?);
     if is_valid(value) {
         return Ok(value);

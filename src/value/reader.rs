@@ -93,21 +93,23 @@ pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
 /// Reader of a block's contents.
 ///
 /// # Errors
-/// Methods that read fail with the span of the unexpected token and the expectation, or with a fault in a directive or
-/// macro before the token.
+/// Methods that read return a diagnostic at an unexpected token, or one for a fault in a directive or macro before the
+/// token.
 pub trait Reader {
     /// Returns the kind of the scene's next token, which is not consumed. Commas and semicolons are skipped.
     fn peek_next(&mut self) -> Result<Next>;
-    /// Returns the kind of the next token, which is not consumed, or `Next::End` if a directive or a `;` precedes it.
-    /// Directives do not run: they may use the name that is being declared.
-    fn peek_until_directive(&mut self) -> Result<Next>;
+    /// Returns the kind of the next token, which is not consumed, or `Next::End` if a comma or a `;` precedes it. In a
+    /// declaration, a directive gives `Next::End` too and does not run yet, because it may use the name that is being
+    /// declared.
+    fn peek_next_unless_separated(&mut self) -> Result<Next>;
     /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
-    /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::peek_next`] returned.
+    /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::peek_next`] returned. Returns the span of
+    /// the word or bracket.
     fn take_token(&mut self) -> Result<Span>;
     /// Consumes the end of the block; any other token is an error.
     fn leave_block(&mut self) -> Result<()>;
-    /// Reads an expression of the scene to its value.
+    /// Reads an expression of the scene to its value, which is not checked: it may be a declared thing.
     fn value(&mut self) -> Result<(Value, Span)>;
     /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
@@ -115,15 +117,16 @@ pub trait Reader {
     fn read_solid(&mut self) -> Result<Arc<dyn Solid>>;
     /// Reads the inside of a pigment as a pattern: the pigment's brightness.
     fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>>;
-    /// Reads a number; a vector is an error.
+    /// Reads a finite number; any other value is an error.
     fn float(&mut self) -> Result<f64>;
-    /// Reads a number, if an expression comes next.
+    /// Reads a finite number, if an expression comes next; `None` if none does.
     fn optional_float(&mut self) -> Result<Option<f64>>;
-    /// Reads a vector of three components; a number fills all three.
+    /// Reads a finite vector of at most three components: a number fills all three, and a vector of two gets 0 as
+    /// third.
     fn vector(&mut self) -> Result<DVec3>;
     /// Reads a vector of three components, which may be infinite or NaN; a number fills all three.
     fn unchecked_vector(&mut self) -> Result<DVec3>;
-    /// Reads a vector of two components; a number fills both.
+    /// Reads a finite vector of two components; a number fills both, and a third component is dropped.
     fn vector2(&mut self) -> Result<DVec2>;
     /// Reads exactly `n` numbers in `< >`; more than five only as a literal, as in `matrix`.
     fn numbers_in_angle_brackets(&mut self, n: usize) -> Result<Vec<f64>>;
@@ -184,7 +187,7 @@ pub trait Reader {
 pub trait ReaderExt: Reader {
     /// Consumes the scene's next word if it equals `word`; returns true if so.
     fn accept(&mut self, word: &str) -> Result<bool>;
-    /// Consumes a declared thing of type `T`, if a thing comes next.
+    /// Consumes a declared thing of type `T`, if a declared thing comes next; one of another type is an error.
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
     /// Returns the error for the next word, which the block does not take; see [`Reader::unknown_word`].
     fn unknown_word_in(&mut self, block: &Spec) -> Fault;

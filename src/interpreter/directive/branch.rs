@@ -77,10 +77,10 @@ impl<'a> Interpreter<'a> {
         }
         let checkpoint = self.stream.checkpoint();
         self.stream.push_frame(body, FrameKind::Branch, span);
-        let read = self.open().and_then(|_| {
+        let read = self.open_bracket().and_then(|_| {
             let (value, at) = self.read_expression(true)?;
             let number = as_float(&value, at)?;
-            self.close("`)`").map(|()| number)
+            self.close_bracket("`)`").map(|()| number)
         });
         read.map_err(|fault| {
             let fault = self.stream.with_call_trace(*fault);
@@ -186,7 +186,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads the contents `I, 0, 10, 2` of the parentheses after `#for`. The commas are optional.
+    /// Reads the contents `I, 0, 10, 2` of the parentheses after `#for`, with optional commas. Returns the counter, the
+    /// first value, last value and step, and the span of the last number.
     fn read_counter_range_span(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
         if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))

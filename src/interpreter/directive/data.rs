@@ -21,7 +21,8 @@ pub(super) fn skip_blanks_commas_comments(text: &str, mut at: usize) -> usize {
     }
 }
 
-/// Parses the number, vector or string at the start of a text, and returns it with its length in bytes.
+/// Parses the number, vector or string at the start of a text, and returns it with its length in bytes; `None` for
+/// anything else. The text must not be empty.
 pub(super) fn data_value_and_length(text: &str) -> Option<(Value, usize)> {
     match text.as_bytes()[0] {
         b'"' => {

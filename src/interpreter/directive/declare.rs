@@ -55,7 +55,7 @@ impl<'a> Interpreter<'a> {
             return Ok(());
         }
         let declared = self.evaluate_target(target)?;
-        self.declare_one(declare.local, deprecated, declared)
+        self.read_value_and_bind(declare.local, deprecated, declared)
     }
 
     /// Skips the value that is declared, and returns the error for the reserved name `word`.
@@ -80,17 +80,17 @@ impl<'a> Interpreter<'a> {
     /// Runs `#declare` and `#local` for a target that comes token by token.
     pub fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         let checkpoint = self.stream.checkpoint();
-        self.declare_tokens(local, span).map_err(|fault| self.trace_fault_and_skip(checkpoint, *fault))
+        self.declare_by_tokens(local, span).map_err(|fault| self.trace_fault_and_skip(checkpoint, *fault))
     }
 
-    fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
+    fn declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         self.pop_spent_frames();
         let deprecated = self.read_deprecated()?;
         if let Some(ElementKind::Expr(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Paren))) =
             self.stream.next_raw_element().map(|e| &e.kind)
             && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis_or_end()?
         {
-            self.open()?;
+            self.open_bracket()?;
             let mut targets = vec![];
             while !matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Punctuation(_)) | None) {
                 if self.stream.next_raw_element().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
@@ -99,7 +99,7 @@ impl<'a> Interpreter<'a> {
                 }
                 targets.push(self.read_target(span)?);
             }
-            self.close("`)`")?;
+            self.close_bracket("`)`")?;
             self.expect_equals_sign()?;
             let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         let declared = self.read_target(span)?;
         self.expect_equals_sign()?;
         self.refuse_semicolon_as_value(declared.symbol)?;
-        self.declare_one(local, deprecated, declared)
+        self.read_value_and_bind(local, deprecated, declared)
     }
 
     /// Returns the next token if it is `(`, and [`Token::End`] otherwise.
@@ -213,7 +213,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
+    fn read_value_and_bind(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
         let first = self.reporter.diagnostic_count();
         let checkpoint = self.stream.checkpoint();
         let floor = checkpoint.frame_count();
@@ -263,7 +263,8 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol: target.symbol, level: None, lvalue })
     }
 
-    /// Assigns a value to the target of a declaration; `first_use_warnings` are warnings that are reported at the first use.
+    /// Assigns a value to the target of a declaration. `first_use_warnings` are reported at the first use of a name,
+    /// and now for an array element.
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         match &declared.lvalue {
             Some(lvalue) => {
@@ -285,13 +286,13 @@ impl<'a> Interpreter<'a> {
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
         };
-        let span = self.open()?;
+        let span = self.open_bracket()?;
         let mut values = vec![];
         while !self.peek()?.is_closer_or_end() {
             values.push(self.read_rvalue()?);
         }
         let end = self.stream.next_span();
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         if values.len() == value_count {
             return Ok(values);
         }
@@ -336,10 +337,10 @@ impl<'a> Interpreter<'a> {
             let d = self.unexpected_token("`{` after `#default`");
             return d.help("`#default { finish { ambient 0 } }`").into();
         }
-        self.open()?;
+        self.open_bracket()?;
         self.stream.name_bracket("default", span);
         self.read_defaults()?;
-        self.close("the end of this block")
+        self.close_bracket("the end of this block")
     }
 }
 

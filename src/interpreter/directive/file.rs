@@ -208,14 +208,15 @@ impl<'a> Interpreter<'a> {
             }
             more = follows;
         }
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         if !more {
             self.close_file(file, span);
         }
         Ok(())
     }
 
-    /// Reads the next number, vector or string of a file. The flag is true if more values follow.
+    /// Reads the next number, vector or string of a file; `None` at the end of the file. The flag is true if more
+    /// values follow.
     fn value_and_has_more(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
@@ -256,7 +257,7 @@ impl<'a> Interpreter<'a> {
                 form = None;
             }
             match token {
-                token if token.is_closer_or_end() => return self.close("`)`"),
+                token if token.is_closer_or_end() => return self.close_bracket("`)`"),
                 Token::Word(word) if Binary::from_word(word).is_some() => {
                     self.stream.advance();
                     form = Binary::from_word(word);

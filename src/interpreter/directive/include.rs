@@ -110,7 +110,8 @@ impl<'a> Interpreter<'a> {
         Ok((path, ast))
     }
 
-    /// Parses a text that [`crate::source::Sources`] holds.
+    /// Returns the syntax tree of a file in [`crate::source::Sources`], which is parsed once. Faults of its syntax are
+    /// reported here, and the error that is returned after them ends the run.
     pub fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
         if let Some(ast) = self.inputs.parsed.tree(file) {
             self.stream.add_unclosed_brackets(ast);

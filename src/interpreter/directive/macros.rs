@@ -52,10 +52,10 @@ impl<'a> Interpreter<'a> {
             return d.help(format!("a call needs parentheses: `{name}()`")).into();
         }
         let checkpoint = self.stream.checkpoint();
-        let read = self.open().and_then(|_| self.read_arguments(definition, span));
+        let read = self.open_bracket().and_then(|_| self.read_arguments(definition, span));
         let read = read.and_then(|slots| {
             let end = self.stream.next_span();
-            self.close("`)`").map(|()| (slots, end))
+            self.close_bracket("`)`").map(|()| (slots, end))
         });
         let (slots, end) = match read {
             Ok(read) => read,
@@ -72,7 +72,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn check_call_depth(&mut self, name: Symbol, span: Span) -> Result<()> {
-        self.reporter.step(span)?;
+        self.reporter.count_step(span)?;
         if self.stream.call_depth() < MAX_CALLS {
             return Ok(());
         }

@@ -50,7 +50,7 @@ const fn entry(
 }
 
 impl DirectiveSpec {
-    const fn runs(self, run: Run) -> Self {
+    const fn with_run(self, run: Run) -> Self {
         Self { run: Some(run), ..self }
     }
 }
@@ -69,7 +69,7 @@ pub const TABLE: &[DirectiveSpec] = &[
         "the same, but the name ends with the macro or file around the directive",
         "#macro Ring(R)\n  #local Thin = R / 10;\n  torus { R, Thin }\n#end\nRing(1)",
     ),
-    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A").runs(|me, _, span| me.run_undef(span)),
+    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A").with_run(|me, _, span| me.run_undef(span)),
     entry(
         &["if", "elseif", "else", "end"],
         "#if (condition) … #elseif (condition) … #else … #end",
@@ -99,7 +99,7 @@ pub const TABLE: &[DirectiveSpec] = &[
         "#break",
         "leaves the loop, the macro or the `#switch` around it",
         "#for (I, 1, 100)\n  #if (I * I > 50) #break #end\n#end",
-    ).runs(|me, _, span| me.run_break(span)),
+    ).with_run(|me, _, span| me.run_break(span)),
     entry(
         &["switch", "case", "range"],
         "#switch (value) #case (number) … #break #range (low, high) … #break #else … #end",
@@ -112,51 +112,51 @@ pub const TABLE: &[DirectiveSpec] = &[
         "declares a piece of scene with parameters; `Name(1, 2)` inserts it",
         "#macro Pill(A, B, R)\n  sphere { A, R } sphere { B, R } cylinder { A, B, R }\n#end\nunion { Pill(0, 2*y, 0.5) }",
     ),
-    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\"").runs(|me, _, span| me.run_include(span)),
-    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;").runs(|me, _, _| me.run_version()),
+    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\"").with_run(|me, _, span| me.run_include(span)),
+    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;").with_run(|me, _, _| me.run_version()),
     entry(
         &["default"],
         "#default { texture, pigment, finish or camera }",
         "sets defaults for the objects that follow",
         "#default { finish { ambient 0 specular 0.3 } }",
-    ).runs(|me, _, span| me.run_default(span)),
+    ).with_run(|me, _, span| me.run_default(span)),
     entry(
         &["debug", "render", "statistics"],
         "#debug text",
         "prints to standard error",
         "#debug concat(\"pi is \", str(pi, 0, 3), \"\\n\")",
-    ).runs(|me, kind, _| me.run_message(kind)),
+    ).with_run(|me, kind, _| me.run_message(kind)),
     entry(
         &["warning"],
         "#warning text",
         "prints a warning, with its place",
         "#if (clock > 1) #warning \"the clock runs fast\" #end",
-    ).runs(|me, kind, _| me.run_message(kind)),
+    ).with_run(|me, kind, _| me.run_message(kind)),
     entry(
         &["error"],
         "#error text",
         "prints an error, with its place, and ends the run",
         "#if (clock > 9) #error \"too late\" #end",
-    ).runs(|me, kind, _| me.run_message(kind)),
+    ).with_run(|me, kind, _| me.run_message(kind)),
     entry(
         &["fopen"],
         "#fopen Name text read | write | append",
         "opens a file of numbers and texts",
         "#fopen F \"manual_fopen.tmp\" write\n#fclose F",
-    ).runs(|me, _, span| me.run_fopen(span)),
+    ).with_run(|me, _, span| me.run_fopen(span)),
     entry(
         &["write"],
         "#write (Name, value, …)",
         "writes values; strings are written without quotes, so write commas and quotes yourself. `uint8`, `uint16le`, `uint16be`, `sint8`, `sint16le`, `sint16be`, `sint32le` or `sint32be` before a value writes it as an integer of this many bits",
         "#fopen F \"manual_write.tmp\" write\n#write (F, 1, \",\", <1, 2, 3>, \"\\n\")\n#fclose F",
-    ).runs(|me, _, span| me.run_write(span)),
+    ).with_run(|me, _, span| me.run_write(span)),
     entry(
         &["read"],
         "#read (Name, A, B, …)",
         "declares A, B … as the next values in the file; at the end of the file, the name `Name` is undeclared",
         "#fopen F \"manual_read.tmp\" write\n#write (F, \"1, 2, 3\")\n#fclose F\n#fopen F \"manual_read.tmp\" read\n#while (defined(F))\n  #read (F, A)\n#end",
-    ).runs(|me, _, span| me.run_read(span)),
-    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F").runs(|me, _, span| me.run_fclose(span)),
+    ).with_run(|me, _, span| me.run_read(span)),
+    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F").with_run(|me, _, span| me.run_fclose(span)),
 ];
 
 #[cfg(test)]

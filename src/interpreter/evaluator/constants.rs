@@ -45,14 +45,15 @@ impl Constants {
         self.fixed_value(symbol).cloned()
     }
 
-    /// Returns the value of a constant that stays the same during the run; `None` for `now`.
+    /// Returns the value of a built-in constant other than `now`, which has no stored value; `None` for `now` and for
+    /// all other names.
     #[inline]
     pub(super) fn fixed_value(&self, symbol: Symbol) -> Option<&Value> {
         self.values.get(symbol.0 as usize)?.as_ref()
     }
 }
 
-/// Returns the initial value of a built-in constant; `None` for other names.
+/// Returns the initial value of a built-in constant; `None` for `version`, for `now` and for other names.
 fn initial_constant_value(name: &str, inputs: Inputs) -> Option<Value> {
     let flag = |b: bool| Some(Value::Float(f64::from(b)));
     let float = |x: f64| Some(Value::Float(x));

@@ -20,7 +20,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns the location of the element `key` of the dictionary at `lvalue`, for the expression `base.key`; `None`
-    /// for another expression, or without a dictionary at `lvalue`.
+    /// for another expression, or without a dictionary at `lvalue`. An error if the dictionary has no such key.
     pub fn dictionary_element_lvalue(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
         let Some(dictionary) = self.scopes.dictionary(lvalue) else { return Ok(None) };

@@ -79,7 +79,7 @@ impl<'a> Evaluator<'a> {
         &mut self.assets
     }
 
-    /// Returns the built-in constant of this name.
+    /// Returns the value of the built-in constant of this name; `None` for other names.
     pub(super) fn constant(&self, symbol: Symbol) -> Option<Value> {
         self.constants.get(symbol, &*self.inputs.options.host)
     }
@@ -159,7 +159,7 @@ impl<'a> Evaluator<'a> {
         !self.deprecated.is_empty()
     }
 
-    /// Returns the reason why a name is deprecated; `None` from the second use on.
+    /// Returns and forgets the reason why a name is deprecated; `None` for other names and from the second call on.
     pub(super) fn take_deprecation(&mut self, symbol: Symbol) -> Option<&'a str> {
         self.deprecated.remove(&symbol)
     }
@@ -170,7 +170,7 @@ impl<'a> Evaluator<'a> {
         self.random.len() - 1
     }
 
-    /// Returns the state of a random stream.
+    /// Returns the state of a random stream; `None` if no stream has this number.
     pub(super) fn random_stream(&mut self, number: f64) -> Option<&mut u32> {
         self.random.get_mut(number as usize).filter(|_| number >= 0.0)
     }

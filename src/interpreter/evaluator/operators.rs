@@ -49,7 +49,8 @@ pub fn from_numbers(v: VecN, is_color: bool) -> Value {
 }
 
 /// Applies a binary operator with POV-Ray's promotions. A number becomes a vector of equal components, and the shorter
-/// of two vectors is padded with zeros. `<` and its kin compare numbers only; `=` and `!=` also compare strings.
+/// of two vectors is padded with zeros. `<`, `=` and the other comparisons take two numbers or two strings; `&` and `|`
+/// take two numbers.
 pub fn combine(op: Operator, left: Value, right: Value, left_span: Span, right_span: Span) -> Result<Value> {
     use Operator::*;
     match (&left, &right) {
@@ -161,7 +162,8 @@ pub fn vector_value(data: &[f64], span: Span) -> Result<Value> {
     }
 }
 
-/// Converts a value to three components: a number fills all, and a shorter vector is padded with zeros.
+/// Converts a value to three components: a number fills all, and a shorter vector is padded with zeros. An error for
+/// a longer vector, a colour and any other value.
 pub fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
     match value {
         Value::Float(x) => Ok(DVec3::splat(*x)),

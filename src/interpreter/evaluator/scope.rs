@@ -145,7 +145,8 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// Returns the location of a name's innermost binding, after following aliases; `None` after its `#undef`.
+    /// Returns the location of a name's innermost binding, after following aliases; `None` for a name that is not
+    /// bound, or whose alias has lost its target.
     pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
         let (symbol, binding_index, path) = self.symbol_binding_and_path(symbol)?;
         Some(LValue { symbol, binding_index, path: path.cloned() })
@@ -205,12 +206,12 @@ impl<'a> Scopes<'a> {
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
-    /// Returns the contents of a variable or array element; `None` if undeclared.
+    /// Returns the contents of a location; `None` if the location has no value.
     pub fn slot_at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
         self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.binding_index)?.slot.element(lvalue.path())
     }
 
-    /// Sets or clears an array element.
+    /// Sets an array element, or clears it if `slot` is `None`. Does nothing if the location is no array element.
     pub fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
         let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.binding_index));
         let Some((binding, (last, path))) = binding.zip(lvalue.path().split_last()) else { return };
@@ -260,7 +261,8 @@ impl<'a> Scopes<'a> {
         self.bindings[symbol.0 as usize][binding_index].first_use_warnings.clone()
     }
 
-    /// Binds a name at the innermost level, as `#local` and the parameters of a call do.
+    /// Binds a name at the innermost level, as `#local` does. If the name is a parameter that refers to a location of
+    /// the caller, this location is set instead.
     pub fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         let level = self.level();
         if self.binding_stack(symbol).last().is_none_or(|b| b.level != level) {
@@ -274,7 +276,8 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// Changes the innermost binding of a name, or creates a global one, as `#declare` does.
+    /// Changes the innermost binding of a name, or the location that it is an alias of, as `#declare` does. A name
+    /// without a binding gets a global one.
     pub fn set_innermost_or_global(&mut self, symbol: Symbol, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
         match self.symbol_binding_and_path(symbol) {
             Some((symbol, binding_index, None)) => self.rebind(symbol, binding_index, slot, first_use_warnings),
@@ -333,7 +336,8 @@ impl<'a> Scopes<'a> {
         (binding.slot, binding.first_use_warnings) = (slot, non_empty(first_use_warnings));
     }
 
-    /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays.
+    /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays. Returns
+    /// false if the name had no binding.
     pub fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.binding_stack(symbol).pop() else { return false };
         self.remove_from_name_list(symbol, binding.level);
@@ -358,8 +362,9 @@ impl<'a> Scopes<'a> {
         self.bindings.iter().enumerate().filter_map(bound)
     }
 
-    /// Returns the faults of failed declarations that the scene has not used.
-    pub fn faults_of_unused_declarations(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
+    /// Returns the faults of all failed declarations that are bound at present, whether the scene has used the names or
+    /// not.
+    pub fn faults_of_failed_declarations(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
 }

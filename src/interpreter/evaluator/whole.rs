@@ -9,10 +9,10 @@ impl Evaluator<'_> {
     /// parenthesis is not that of a function.
     #[inline]
     pub fn must_split_into_tokens(&self, e: &Expr) -> bool {
-        e.calls && self.needs_tokens_in_calls(e)
+        e.calls && self.has_call_needing_tokens(e)
     }
 
-    fn needs_tokens_in_calls(&self, e: &Expr) -> bool {
+    fn has_call_needing_tokens(&self, e: &Expr) -> bool {
         let any = |elements: &[Element]| elements.iter().any(|element| self.element_needs_tokens(element));
         match &e.kind {
             ExprKind::Call(name, arguments) => match self.scopes.get(*name) {

@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
         let numbers = self.evaluate_numbers(arguments)?;
         let name = Span { hi: span.lo + self.inputs.names.text(name).len() as u32, ..span };
         self.check_arity(name, numbers.len(), function.arity())?;
-        Ok(result_value(&function, &numbers))
+        Ok(call_to_value(&function, &numbers))
     }
 
     /// Calls a function or spline that is an array's element.
@@ -38,7 +38,7 @@ impl<'a> Interpreter<'a> {
             if let Some(function) = downcast::<Function>(thing) {
                 let numbers = self.evaluate_numbers(arguments)?;
                 if numbers.len() == function.arity() {
-                    return Ok(result_value(&function, &numbers));
+                    return Ok(call_to_value(&function, &numbers));
                 }
                 let message = format!("this function takes {} arguments, found {}", function.arity(), numbers.len());
                 return Diagnostic::err(codes::WRONG_COUNT, span, message);
@@ -80,14 +80,14 @@ impl<'a> Interpreter<'a> {
                     numbers.push(as_float(&value, at)?);
                 }
                 self.check_arity(span, numbers.len(), function.arity())?;
-                return Ok(result_value(&function, &numbers));
+                return Ok(call_to_value(&function, &numbers));
             }
         }
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", callee.describe()))
     }
 }
 
-fn result_value(function: &Function, numbers: &[f64]) -> Value {
+fn call_to_value(function: &Function, numbers: &[f64]) -> Value {
     let c = function.call(numbers);
     match function.result_type() {
         ResultType::Number => Value::Float(c[0]),

@@ -233,7 +233,7 @@ impl<'a> Interpreter<'a> {
         let ids = vec![self.compile(c, first)?, self.compile(c, last)?];
         let mut inner = c.with_counter(*counter);
         inner.graph.result = self.compile(&mut inner, term)?;
-        series(c, product, ids, inner, span)
+        compile_series_call(c, product, ids, inner, span)
     }
     /// Compiles a call of a declared function.
     fn compile_call(
@@ -433,7 +433,7 @@ impl Compiler {
 }
 
 /// Compiles `sum` or `prod` over a range of the counter.
-fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
+fn compile_series_call(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
     let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large_error(span) };
     ids.extend(
         (0..c.parameters.len()).map(|i| c.graph.add_operation(Operation::Parameter(i as u16))).collect::<Vec<_>>(),

@@ -53,14 +53,14 @@ impl<'a> Interpreter<'a> {
         let (mut parameters, mut size) = (vec![], vec![]);
         self.split_to_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {
-            self.open()?;
+            self.open_bracket()?;
             while !self.peek()?.is_closer_or_end() {
                 match self.read_name()? {
                     Some((symbol, _)) => parameters.push(symbol),
                     None => return Err(self.unexpected_token("the name of a parameter").into()),
                 }
             }
-            self.close("`)`")?;
+            self.close_bracket("`)`")?;
         } else {
             while !matches!(self.peek()?, Token::Open(..)) {
                 let (value, at) = self.read_value()?;
@@ -71,13 +71,13 @@ impl<'a> Interpreter<'a> {
         if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
             return Err(self.unexpected_token("`{`").into());
         }
-        self.open()?;
+        self.open_bracket()?;
         let function = self.read_function_body(&parameters, span)?;
-        self.close("`}`")?;
+        self.close_bracket("`}`")?;
         Ok((size, function))
     }
 
-    /// Returns the width and height of a function's picture, in pixels.
+    /// Checks the width and height of a function's picture, and returns them in pixels; `None` without numbers.
     fn picture_size(&mut self, size: &[(f64, Span)], span: Span) -> Result<Option<[usize; 2]>> {
         let &[(width, at), (height, end)] = size else {
             return match size.len() {
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
                 self.expect_paren("internal")?;
                 let (value, at) = self.read_value()?;
                 span = joined_span_if_near(span, self.stream.next_span());
-                self.close("`)`")?;
+                self.close_bracket("`)`")?;
                 as_float(&value, at)?
             }
             _ => return Ok(None),

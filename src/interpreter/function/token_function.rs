@@ -1,6 +1,6 @@
 //! Compiles functions whose tokens come one by one.
 
-use super::{Compiler, series};
+use super::{Compiler, compile_series_call};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Id, Operation};
 use crate::interpreter::Interpreter;
@@ -33,7 +33,7 @@ impl<'a> Operands<'a> for Compiled<'_> {
         Ok(self.0.graph.add_operation(Operation::Binary(op, left.0, right.0)))
     }
 
-    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
+    fn read_choice(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
         let (yes, _) = me.read_by_precedence(self, true)?;
         expect_colon(me)?;
         let (no, span) = me.read_by_precedence(self, true)?;
@@ -80,10 +80,10 @@ impl<'a> Interpreter<'a> {
                     Ok((c.graph.add_constant(*x), span))
                 }
                 Token::Open(Bracket::Paren, _) => {
-                    self.open()?;
+                    self.open_bracket()?;
                     let (id, _) = self.read_by_precedence(&mut Compiled(c), true)?;
                     let end = self.stream.next_span();
-                    self.close("`)`")?;
+                    self.close_bracket("`)`")?;
                     Ok((id, joined_span_if_near(span, end)))
                 }
                 Token::Element(_) => {
@@ -99,7 +99,7 @@ impl<'a> Interpreter<'a> {
                     self.expect_paren(word)?;
                     let id = self.compile_builtin_by_tokens(c, word, span)?;
                     let end = self.stream.next_span();
-                    self.close("`)`")?;
+                    self.close_bracket("`)`")?;
                     Ok((id, joined_span_if_near(span, end)))
                 }
                 _ => Err(self.unexpected_token("a number, a parameter or a function").into()),
@@ -109,13 +109,13 @@ impl<'a> Interpreter<'a> {
 
     /// Compiles the call of a function or spline, from the `(` on, and the component selected after it.
     fn compile_call_by_tokens(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
-        self.open()?;
+        self.open_bracket()?;
         let mut ids = vec![];
         while !self.peek()?.is_closer_or_end() {
             ids.push(self.read_by_precedence(&mut Compiled(c), true)?.0);
         }
         let mut whole = joined_span_if_near(span, self.stream.next_span());
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         let mut component: Option<Name> = None;
         if matches!(self.peek_after_value()?, Some(Token::Punctuation(Punctuation::Dot))) {
             self.stream.advance();
@@ -152,6 +152,6 @@ impl<'a> Interpreter<'a> {
         let last = self.read_by_precedence(&mut Compiled(c), true)?.0;
         let mut inner = c.with_counter(*counter);
         inner.graph.result = self.read_by_precedence(&mut Compiled(&mut inner), true)?.0;
-        series(c, product, vec![first, last], inner, span)
+        compile_series_call(c, product, vec![first, last], inner, span)
     }
 }

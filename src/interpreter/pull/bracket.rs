@@ -10,8 +10,9 @@ use crate::syntax::ast::*;
 const MAX_NESTING: usize = 5_000;
 
 impl<'a> Interpreter<'a> {
-    /// Consumes the next token, an opening bracket, and the word before it. Returns the span of the word or bracket.
-    pub fn open(&mut self) -> Result<Span> {
+    /// Consumes the next token and returns its span. An opening bracket, or a word with its `{`, is pushed on the stack
+    /// of open brackets; any other token is only consumed.
+    pub fn open_bracket(&mut self) -> Result<Span> {
         let token = self.peek()?;
         let span = self.stream.next_span();
         if self.stream.bracket_count() >= MAX_NESTING {
@@ -65,9 +66,11 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Consumes the bracket that closes the innermost open one; any other token is an error.
-    pub fn close(&mut self, expected: &str) -> Result<()> {
+    pub fn close_bracket(&mut self, expected: &str) -> Result<()> {
         let token = self.peek()?;
-        let Some(opened) = self.stream.bracket() else { return Err(self.unexpected_token(expected).into()) };
+        let Some(opened) = self.stream.innermost_open_bracket() else {
+            return Err(self.unexpected_token(expected).into());
+        };
         if !token.closes(opened.bracket) {
             return Err(match token {
                 Token::Punctuation(Punctuation::Close(_)) | Token::End => self.unclosed_error().into(),
@@ -100,7 +103,7 @@ impl<'a> Interpreter<'a> {
             frame_count,
             mode,
         });
-        let result = read(self).and_then(|value| self.close(bracket.text()[1]).map(|()| value));
+        let result = read(self).and_then(|value| self.close_bracket(bracket.text()[1]).map(|()| value));
         result.map_err(|fault| {
             let fault = self.stream.with_call_trace(*fault);
             self.unwind(checkpoint);

@@ -20,11 +20,11 @@ impl Interpreter<'_> {
         let span = frame.span();
         let again = match frame.kind() {
             FrameKind::While(condition) => {
-                self.reporter.step(span).and_then(|()| self.evaluate_condition(condition, span))
+                self.reporter.count_step(span).and_then(|()| self.evaluate_condition(condition, span))
             }
             FrameKind::For { counter, last, step } => self
                 .reporter
-                .step(span)
+                .count_step(span)
                 .and_then(|()| self.evaluator.step_counter_and_continues(counter, last, step, span)),
             _ => Ok(false),
         };

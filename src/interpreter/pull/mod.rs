@@ -126,7 +126,7 @@ impl<'a> Interpreter<'a> {
     /// Runs the directive that has just been consumed.
     #[inline]
     fn run_next_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
-        self.reporter.step(span)?;
+        self.reporter.count_step(span)?;
         self.run_and_restore_comma(|me| me.run_directive(directive, span))
     }
 

@@ -126,7 +126,8 @@ impl<'a> Interpreter<'a> {
         Ok(self.stream.push_back(token, span, before))
     }
 
-    /// Consumes a number and the `;` after it, if both come next and the fast evaluation suffices.
+    /// Evaluates and consumes an expression and the `;` after it, and returns its number; consumes nothing and returns
+    /// `None` if the two do not come next or the fast evaluation gives no number.
     pub fn take_number_and_semicolon(&mut self) -> Option<f64> {
         let e = self.stream.expression_statement().filter(|e| !e.has_bare_condition())?;
         let x = self.evaluator.quick_number(e)?;

@@ -7,7 +7,7 @@ use crate::interpreter::stream::Checkpoint;
 impl Interpreter<'_> {
     /// Drops the frames that were pushed since the checkpoint, and restores the checkpoint's state of the stream.
     pub fn unwind(&mut self, checkpoint: Checkpoint) {
-        while self.stream.is_above(checkpoint) {
+        while self.stream.has_frames_above(checkpoint) {
             self.pop_frame();
         }
         self.stream.restore(checkpoint);
@@ -28,7 +28,7 @@ impl Interpreter<'_> {
     }
 
     /// Adds the call trace to an error, and skips the statement that contains it. Inside an unclosed bracket, nothing
-    /// is skipped, and the bracket is reported instead.
+    /// is skipped: the caller reports the bracket in place of the error, and ends the run.
     pub fn trace_fault_and_skip(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
         let fault = self.stream.with_call_trace(fault);
         if self.stream.unclosed_bracket_error().is_none() {

@@ -53,11 +53,11 @@ pub fn begins_color(word: &str) -> bool {
 }
 
 /// True if the word sets one component of a colour.
-pub(super) fn is_component(word: &str) -> bool {
+pub(super) fn is_color_component(word: &str) -> bool {
     COMPONENTS.iter().any(|(name, _)| *name == word)
 }
 
-/// Replaces an infinite component by [`Color::BLINDING`] and NaN by 0 (quirk: `infinite_colors`).
+/// Replaces positive infinity by [`Color::BLINDING`], and negative infinity and NaN by 0 (quirk: `infinite_colors`).
 fn finite_component(x: f64) -> f64 {
     match x {
         x if x.is_finite() => x,
@@ -78,7 +78,7 @@ impl Interpreter<'_> {
     /// Reads components such as `filter 0.5` after a colour.
     fn read_color_components(&mut self, color: &mut Color) -> Result<()> {
         while let Token::Word(word) = self.peek_continuation()?
-            && is_component(word)
+            && is_color_component(word)
         {
             self.stream.advance();
             let x = self.float()?;
@@ -145,7 +145,7 @@ impl Interpreter<'_> {
         }
         let mut color = Color::BLACK;
         match word {
-            word if is_component(word) => {
+            word if is_color_component(word) => {
                 let x = self.float()?;
                 set_component(&mut color, word, x);
             }

@@ -49,7 +49,8 @@ impl Interpreter<'_> {
         found
     }
 
-    /// Returns an installed font of this name, or one with a similar design together with a warning.
+    /// Returns an installed font of this name, or one with a similar design together with a warning; `None`, with a
+    /// warning too, if there is neither.
     fn substitute_font(&mut self, name: &str, file_name: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
         let found = fonts::find_similar_font(self.inputs.files, name, search);

@@ -19,7 +19,7 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Family, Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
-    /// Returns the error "expected …, found …" about the next token.
+    /// Returns the error "expected …, found …" about the next token, or a more specific one, as for an undeclared name.
     pub fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
         let span = self.stream.next_span();
         let found = match self.peek() {
@@ -30,7 +30,7 @@ impl Interpreter<'_> {
                 let slot = self.evaluator.scopes().get(*symbol);
                 if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.evaluator.is_constant(*symbol) {
                     let Err(fault) = self.evaluate_name(*symbol, *span) else {
-                        return self.expected(*span, expected, "a name");
+                        return self.expected_error(*span, expected, "a name");
                     };
                     return *fault;
                 }
@@ -39,7 +39,7 @@ impl Interpreter<'_> {
             Ok(Token::Expr(Expr { kind: ExprKind::Call(symbol, _), span, .. }))
                 if self.evaluator.scopes().get(*symbol).is_none() =>
             {
-                return self.undeclared(*symbol, *span);
+                return self.undeclared_name_error(*symbol, *span);
             }
             Ok(Token::Expr(Expr { span, .. })) if self.inputs.sources.snippet(*span).starts_with('(') => {
                 let paren = Span { hi: span.lo + 1, ..*span };
@@ -53,28 +53,28 @@ impl Interpreter<'_> {
                 let slot = slot.clone();
                 return match self.slot_value(slot, span) {
                     Err(fault) => *fault,
-                    Ok(_) => self.expected(span, expected, "an element"),
+                    Ok(_) => self.expected_error(span, expected, "an element"),
                 };
             }
             Ok(Token::Element(span)) => format!("`{}`", self.inputs.sources.snippet(span)),
             Ok(Token::Function(_)) => "a function".to_string(),
             Ok(Token::Open(Bracket::Paren, _)) => return self.unexpected_parenthesis(span, expected),
             Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
-            Ok(Token::Punctuation(Punctuation::Close(bracket))) => match self.stream.bracket() {
+            Ok(Token::Punctuation(Punctuation::Close(bracket))) => match self.stream.innermost_open_bracket() {
                 Some(opened) if opened.bracket != bracket => return self.unclosed_error(),
                 Some(OpenBracket { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
                 _ => format!("`{}`", bracket.text()[1]),
             },
             Ok(Token::Punctuation(_)) => return self.syntax_error_at(span),
-            Ok(Token::End) if self.stream.bracket().is_some() => return self.unclosed_error(),
+            Ok(Token::End) if self.stream.innermost_open_bracket().is_some() => return self.unclosed_error(),
             Ok(Token::End) => "the end".to_string(),
         };
-        self.expected(span, expected, &found)
+        self.expected_error(span, expected, &found)
     }
 
     fn unexpected_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
         self.uncallable_value_error().unwrap_or_else(|| {
-            self.expected(span, expected, "`(`").help("vectors are written in angle brackets: `<1, 2, 3>`")
+            self.expected_error(span, expected, "`(`").help("vectors are written in angle brackets: `<1, 2, 3>`")
         })
     }
 
@@ -111,7 +111,7 @@ impl Interpreter<'_> {
     pub fn unclosed_error(&mut self) -> Diagnostic {
         let token = self.peek();
         let here = self.stream.next_span();
-        let Some(opened) = self.stream.bracket() else {
+        let Some(opened) = self.stream.innermost_open_bracket() else {
             return Diagnostic::new(codes::UNMATCHED_CLOSER, here, "this closes nothing");
         };
         let [open, close] = opened.bracket.text();
@@ -164,11 +164,12 @@ impl Interpreter<'_> {
             .help("a vector ends with `>`; comparisons need parentheses around them")
     }
 
-    fn expected(&self, span: Span, expected: &str, found: &str) -> Diagnostic {
+    fn expected_error(&self, span: Span, expected: &str, found: &str) -> Diagnostic {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
     }
 
-    /// Returns an error that names the missing value, unless the next token begins a value.
+    /// Returns an error that names the missing value if the next token is a block, `[`, `{` or a closing bracket, or
+    /// the text ends. Any other token may begin a value.
     pub(super) fn expect_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
@@ -237,7 +238,7 @@ impl Interpreter<'_> {
         if name.starts_with(char::is_uppercase)
             || hints::other_tool_hint(name).is_none() && self.reporter.is_declared_in_library(name)
         {
-            let d = self.undeclared(symbol, span);
+            let d = self.undeclared_name_error(symbol, span);
             return if d.missing_names.as_ref().is_some_and(|names| names.remedy == Remedy::Declare) {
                 d.maybe_help(near)
             } else {

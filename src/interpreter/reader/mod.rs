@@ -99,11 +99,11 @@ impl Reader for Interpreter<'_> {
     }
 
     fn take_token(&mut self) -> Result<Span> {
-        self.open()
+        self.open_bracket()
     }
 
     fn leave_block(&mut self) -> Result<()> {
-        self.close("the end of this block")
+        self.close_bracket("the end of this block")
     }
 
     fn value(&mut self) -> Result<(Value, Span)> {
@@ -221,7 +221,7 @@ impl Reader for Interpreter<'_> {
         while !self.peek()?.closes(Bracket::Paren) {
             numbers.push(self.float()?);
         }
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         if numbers.len() != n {
             let message = format!("expected {n} numbers in `( )`, found {}", numbers.len());
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
@@ -241,7 +241,7 @@ impl Reader for Interpreter<'_> {
         self.read_color()
     }
 
-    fn peek_until_directive(&mut self) -> Result<Next> {
+    fn peek_next_unless_separated(&mut self) -> Result<Next> {
         match self.peek_continuation()? {
             Token::End => Ok(Next::End),
             _ => Reader::peek_next(self),

@@ -3,7 +3,7 @@
 use super::super::Interpreter;
 use super::super::evaluator::vector_value;
 use super::super::stream::Token;
-use super::color::{begins_color, is_component};
+use super::color::{begins_color, is_color_component};
 use crate::diagnostic::Result;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Punctuation};
 use crate::value::{Next, Reader};
@@ -56,7 +56,7 @@ impl Interpreter<'_> {
                 Next::Thing(_) | Next::Function => self.read_rvalue().map(drop)?,
                 _ => self.read_value().map(drop)?,
             },
-            Token::Word(word) if begins_color(word) && !is_component(word) => self.read_color().map(drop)?,
+            Token::Word(word) if begins_color(word) && !is_color_component(word) => self.read_color().map(drop)?,
             Token::Word(_) => self.stream.advance(),
             Token::Punctuation(_) | Token::End => {
                 return Err(self.unexpected_token("a word, a value or a block").into());

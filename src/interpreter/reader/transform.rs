@@ -35,7 +35,7 @@ impl Interpreter<'_> {
             "translate" => Transform::translate(self.vector()?),
             "rotate" => {
                 let angles = self.vector()?;
-                self.warn_rotation_about_all_axes(angles, span);
+                self.warn_if_rotating_about_all_axes(angles, span);
                 Transform::rotate(angles)
             }
             "scale" => {
@@ -58,12 +58,12 @@ impl Interpreter<'_> {
 
     /// Reports the warning W0407 for `rotate 45`, which rotates around all axes. Computed angles, as from `rand`, and
     /// arguments of macros are likely intended.
-    fn warn_rotation_about_all_axes(&mut self, angles: DVec3, span: Span) {
+    fn warn_if_rotating_about_all_axes(&mut self, angles: DVec3, span: Span) {
         if angles.x.abs() < LARGEST_ANGLE_FOR_ALL_AXES || angles.x != angles.y || angles.y != angles.z {
             return;
         }
         // A pattern may be rotated around any axis, to look less regular.
-        let word = self.stream.bracket().and_then(|opened| opened.word);
+        let word = self.stream.innermost_open_bracket().and_then(|opened| opened.word);
         if !word.is_some_and(|word| is_object(word) || word == "camera") {
             return;
         }

@@ -37,7 +37,8 @@ impl Usage {
     }
 }
 
-/// Returns the error at `span` for a run that `cancel` cancels. `max_time` is the time limit in seconds.
+/// Returns the error at `span` for a run that `cancel` cancels; `None` for one that may go on. `max_time` is the time
+/// limit in seconds, for the message.
 pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Span) -> Option<Diagnostic> {
     let (message, help) = match cancel.reason()? {
         CancelReason::Request => ("the run was stopped".into(), "its result is no longer needed"),
@@ -50,8 +51,8 @@ pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Spa
 }
 
 impl Reporter<'_> {
-    /// Counts one step: a directive, a loop pass or a macro call.
-    pub fn step(&mut self, span: Span) -> Result<()> {
+    /// Counts one step: a directive, a loop pass or a macro call. An error if a limit is exceeded, which ends the run.
+    pub fn count_step(&mut self, span: Span) -> Result<()> {
         self.usage.steps += 1;
         if self.usage.steps > self.inputs.options.max_steps {
             let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
@@ -72,7 +73,8 @@ impl Reporter<'_> {
         Ok(())
     }
 
-    /// Counts the bytes of a created string, because a few large strings take as long as many steps.
+    /// Counts the bytes of a created string, and checks time and memory once per [`TEXT_EVERY`] bytes, because a few
+    /// large strings take as long as many steps.
     pub fn check_limits_after_text(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.usage.text_made += bytes;
         if self.usage.text_made < TEXT_EVERY {

@@ -27,7 +27,7 @@ pub(super) struct Reporter<'a> {
     /// Function that receives the output of `#debug`, `#render` and `#statistics`.
     output: &'a mut dyn FnMut(&str),
     diagnostics: Vec<Diagnostic>,
-    /// Errors of the parser, which are reported after those of the run.
+    /// Errors and warnings of the parser, which are reported after those of the run.
     deferred: Vec<Diagnostic>,
     /// Number of errors, including repeated ones.
     fault_count: usize,
@@ -68,7 +68,8 @@ impl<'a> Reporter<'a> {
         self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
     }
 
-    /// Adds a diagnostic, unless it follows from an earlier one or its place already has one.
+    /// Adds a diagnostic, or the cause that is found for it. Drops a diagnostic that only follows from an earlier one
+    /// or repeats it, and those beyond the maximum number.
     pub(super) fn report(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         // The code separates errors from warnings: an error in an unused declaration is reported with severity `Warning`.
@@ -94,7 +95,7 @@ impl<'a> Reporter<'a> {
         self.diagnostics.push(d);
     }
 
-    /// Adds errors that are reported at the end of the run.
+    /// Stores diagnostics that are reported at the end of the run.
     pub(super) fn defer(&mut self, faults: impl IntoIterator<Item = Diagnostic>) {
         self.deferred.extend(faults);
     }
@@ -122,13 +123,14 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Reports all deferred errors, and as warnings the errors in declarations that the scene does not use.
-    pub(super) fn report_deferred(&mut self, errors_in_unused: Vec<Diagnostic>) {
+    /// Reports all deferred diagnostics, and as warnings those `faults_of_declarations` that no use of the declared
+    /// name has reported as errors. Completes all messages; nothing is reported afterwards.
+    pub(super) fn report_deferred(&mut self, faults_of_declarations: Vec<Diagnostic>) {
         for d in std::mem::take(&mut self.deferred) {
             self.report(d);
         }
         let is_wanted = |fault: &Diagnostic| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS);
-        for mut fault in errors_in_unused.into_iter().filter(is_wanted) {
+        for mut fault in faults_of_declarations.into_iter().filter(is_wanted) {
             fault.severity = Severity::Warning;
             self.report(fault);
         }

@@ -111,12 +111,12 @@ impl SceneBuilder {
         !self.scene.cameras.is_empty()
     }
 
-    /// Sets the camera of `#default`, which is used if the scene has no other camera.
+    /// Sets the camera of `#default`, which is used unless a camera follows it.
     pub(super) fn set_default_camera(&mut self, camera: Camera) {
         self.scene.camera = camera;
     }
 
-    /// Sets the camera; `span` is that of the camera's block.
+    /// Sets the camera; `span` is that of the word `camera`.
     pub(super) fn set_camera(&mut self, camera: Camera, span: Span) {
         self.scene.camera = camera;
         self.scene.cameras.push(span);

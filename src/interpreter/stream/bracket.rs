@@ -8,7 +8,7 @@ use crate::syntax::{Outline, blame};
 
 /// An opening bracket of the scene's text whose closing bracket was not read yet.
 pub struct OpenBracket {
-    /// The word before the open bracket.
+    /// The word before the open bracket; `None` for a bracket without a word, and for a word that is not a keyword.
     pub word: Option<&'static str>,
     /// Span of the word before the bracket, or of a bracket without a word.
     pub span: Span,
@@ -34,7 +34,7 @@ pub(super) struct Unclosed {
 /// Open brackets of the token stream.
 impl<'a> TokenStream<'a> {
     /// Returns the innermost open bracket of the token stream.
-    pub fn bracket(&self) -> Option<&OpenBracket> {
+    pub fn innermost_open_bracket(&self) -> Option<&OpenBracket> {
         self.open_brackets.last()
     }
 

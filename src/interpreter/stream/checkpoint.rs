@@ -117,7 +117,7 @@ impl TokenStream<'_> {
     }
 
     /// True if frames were pushed since the checkpoint.
-    pub fn is_above(&self, checkpoint: Checkpoint) -> bool {
+    pub fn has_frames_above(&self, checkpoint: Checkpoint) -> bool {
         self.frames.len() > checkpoint.frame_count
     }
 
@@ -135,14 +135,14 @@ impl TokenStream<'_> {
     }
 
     /// Skips the statement that began at the checkpoint. `open` are the brackets that were open at the error.
-    pub fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
+    pub fn skip_statement(&mut self, checkpoint: Checkpoint, open: OpenedBrackets) {
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(checkpoint.at, open.0);
         }
     }
 
     /// Skips to the end of the brackets that were opened since the checkpoint.
-    pub fn skip_brackets(&mut self, open: Open) {
+    pub fn skip_brackets(&mut self, open: OpenedBrackets) {
         if let Some(frame) = self.frames.last_mut().filter(|_| open.0.count > 0) {
             frame.skip_brackets(open.0);
         }
@@ -155,15 +155,16 @@ impl TokenStream<'_> {
         }
     }
 
-    /// Returns the brackets opened since the checkpoint in the frame that was innermost then.
-    pub fn brackets_opened_since(&self, checkpoint: Checkpoint) -> Open {
+    /// Returns the brackets opened since the checkpoint in the frame that was innermost then: only the braces, if there
+    /// are any.
+    pub fn brackets_opened_since(&self, checkpoint: Checkpoint) -> OpenedBrackets {
         let own = |o: &&OpenBracket| o.alone.is_some() && o.frame_count == checkpoint.frame_count;
         let all = self.open_brackets.iter().skip(checkpoint.bracket_count).filter(own);
         let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
-        Open(Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 })
+        OpenedBrackets(Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 })
     }
 }
 
 /// Brackets opened since a checkpoint; see [`TokenStream::brackets_opened_since`].
 #[derive(Clone, Copy)]
-pub struct Open(Unclosed);
+pub struct OpenedBrackets(Unclosed);

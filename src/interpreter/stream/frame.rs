@@ -110,9 +110,10 @@ impl<'a> StackFrame<'a> {
         self.closer.is_none() && self.at >= self.elements.len()
     }
 
-    pub(super) fn opens_brace(&self, at: usize) -> bool {
+    /// True if the element of this index is or begins with `{`.
+    pub(super) fn opens_brace(&self, element_index: usize) -> bool {
         matches!(
-            self.elements.get(at).map(|e| &e.kind),
+            self.elements.get(element_index).map(|e| &e.kind),
             Some(ElementKind::Group(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Brace)))
         )
     }

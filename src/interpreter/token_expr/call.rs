@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
             arguments.push(self.read_argument()?);
         }
         let end = self.stream.next_span();
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         let span = joined_span_if_near(span, end);
         Ok((self.call_builtin_by_tokens(word, arguments, span)?, span))
     }
@@ -57,17 +57,17 @@ impl<'a> Interpreter<'a> {
     pub fn expect_paren(&mut self, word: &str) -> Result<()> {
         self.split_to_parenthesis()?;
         match self.peek()? {
-            Token::Open(Bracket::Paren, _) => self.open().map(drop),
+            Token::Open(Bracket::Paren, _) => self.open_bracket().map(drop),
             _ => Err(self.unexpected_token(&format!("`(` after `{word}`")).into()),
         }
     }
 
     /// Reads the arguments of a function or spline, from the `(` on, and calls it.
     pub(super) fn read_call(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
-        self.open()?;
+        self.open_bracket()?;
         let value = self.read_arguments_and_call(callee, span)?;
         let end = self.stream.next_span();
-        self.close("`)`")?;
+        self.close_bracket("`)`")?;
         Ok((value, joined_span_if_near(span, end)))
     }
 }

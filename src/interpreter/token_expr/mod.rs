@@ -13,7 +13,7 @@ use crate::syntax::word;
 use crate::syntax::{SignRow, begins_with_sign};
 use crate::value::{Reader, Value, VecN};
 
-/// Action on operands and operators: evaluation, compilation of functions, or skipping.
+/// Action on operands and operators: evaluation, or compilation of functions.
 pub(super) trait Operands<'a> {
     /// Result of reading one operand of an expression.
     type Value;
@@ -30,8 +30,8 @@ pub(super) trait Operands<'a> {
         right: (Self::Value, Span),
     ) -> Result<Self::Value>;
 
-    /// Reads the two branches after a `?`, with the `:` between them, and selects one.
-    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
+    /// Reads the two branches after a `?`, with the `:` between them, and returns the result of the choice.
+    fn read_choice(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
 
     /// Returns the precedence of an operator in an expression.
     fn precedence(&self, op: Operator) -> u8 {
@@ -86,7 +86,7 @@ impl<'a> Interpreter<'a> {
             && matches!(self.peek_after_value()?, Some(Token::Punctuation(Punctuation::Question)))
         {
             self.stream.advance();
-            let (value, end) = operands.choose(self, (left, span))?;
+            let (value, end) = operands.read_choice(self, (left, span))?;
             return Ok((value, joined_span_if_near(span, end)));
         }
         Ok((left, span))
@@ -170,7 +170,7 @@ impl<'a> Interpreter<'a> {
             }
             Token::Punctuation(Punctuation::Operator(Operator::Less)) => self.read_vector(),
             Token::Open(Bracket::Paren, _) => {
-                self.open()?;
+                self.open_bracket()?;
                 let (value, _) = self.read_expression(true)?;
                 let next = self.peek()?;
                 if !next.is_closer_or_end() && !matches!(next, Token::Punctuation(_)) {
@@ -178,7 +178,7 @@ impl<'a> Interpreter<'a> {
                     return d.help("vectors are written in angle brackets: `<1, 2, 3>`").into();
                 }
                 let end = self.stream.next_span();
-                self.close("`)`")?;
+                self.close_bracket("`)`")?;
                 Ok((value, joined_span_if_near(span, end)))
             }
             Token::Callee(word) => self.read_builtin_call(word, span),
@@ -322,7 +322,7 @@ fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
     }
 }
 
-/// Reads the signs before an operand.
+/// Reads the signs before an operand, and returns them innermost first, without signs that cancel each other.
 pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     let mut typed = vec![];
     loop {
@@ -372,7 +372,7 @@ impl<'a> Operands<'a> for Computed {
         me.combine(op, left, right)
     }
 
-    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
+    fn read_choice(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
         let is_true = as_float(&condition.0, condition.1)?.abs() > TOLERANCE;
         // quirk: choices_evaluate_all
         let yes = me.read_by_precedence(self, true)?;

@@ -78,7 +78,8 @@ impl PixelInterpolation {
 
 impl Mapping {
     /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
-    /// one. `None` outside the picture.
+    /// one. `None` outside of a picture with `once`, and where the projection is undefined: at the centre of a sphere,
+    /// and on the axis of a cylinder or torus.
     pub fn project_to_unit_square(&self, p: DVec3) -> Option<(f64, f64)> {
         let around = || fp::positive_angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;

@@ -178,8 +178,8 @@ impl Pattern {
         }
     }
 
-    /// Removes and returns the space around a pattern that was mapped by uv; from then on the pattern receives points.
-    /// `None` if the pattern was not mapped.
+    /// Removes the space around a pattern that was mapped by uv, and returns it as the space of a new pattern of the
+    /// kind `Surface`; from then on this pattern receives points. `None` if this pattern was not mapped.
     pub fn take_space_outside_uv(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;

@@ -143,7 +143,7 @@ impl PatternProgram {
     }
 
     /// Returns distances along a ray of the outer space outside of which the lowered pattern's number is that of
-    /// [`Self::number_outside_support`]; `None` if no support is known.
+    /// [`Self::number_outside_support`]: an empty range if the ray misses the support; `None` if no support is known.
     pub fn known_support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
         let Value::Field(number) = &self.value else { return None };
         let support = number.field.support()?;

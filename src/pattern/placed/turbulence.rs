@@ -43,7 +43,7 @@ impl TurbulenceParams {
             .sets(|s, r| set(&mut s.omega, r.float())),
     ];
 
-    /// Returns the sum of octaves of noise with these parameters.
+    /// Returns the octaves of noise that these parameters describe, without `amount`.
     pub fn to_octaves(&self) -> Turbulence {
         Turbulence::new(self.lambda, self.omega, self.octaves)
     }

@@ -129,7 +129,7 @@ impl Penrose {
                 let (kind, distance) = pentagon_kind_and_distance(Place::locate_in_triangle(p, LEG, 4));
                 (kind, distance / DEPTH)
             }
-            Self::Kites => kite_or_dart_and_bevel(Place::locate_in_triangle(p, 1.0, 2)),
+            Self::Kites => kite_kind_and_bevel_position(Place::locate_in_triangle(p, 1.0, 2)),
             Self::Rhombs => rhomb_kind_and_bevel_position(Place::locate_in_triangle(p, 1.0, 3)),
         };
         let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.tile_kind_count() as f64 };
@@ -145,7 +145,7 @@ fn rhomb_kind_and_bevel_position(place: Place) -> (usize, f64) {
 
 /// Evaluates the Penrose tiling of kites and darts, which consist of two triangles with the common side AB: the acute
 /// ones unchanged, and the obtuse ones cut from A to the point R that divides BC.
-fn kite_or_dart_and_bevel(place: Place) -> (usize, f64) {
+fn kite_kind_and_bevel_position(place: Place) -> (usize, f64) {
     let Place { obtuse, a, b, c } = place;
     let inverse = PHI - 1.0;
     let (dart, distance) = match obtuse {
@@ -158,7 +158,7 @@ fn kite_or_dart_and_bevel(place: Place) -> (usize, f64) {
 
 /// Evaluates the Penrose tiling of pentagons: returns the kind of the tile and the distance from its edge.
 fn pentagon_kind_and_distance(place: Place) -> (usize, f64) {
-    // A is place the origin, B place <LEG, 0>.
+    // A is at the origin, B at <LEG, 0>.
     let tip = TOWARDS[if place.obtuse { 3 } else { 1 }] * LEG;
     let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * place.b) + tip * place.c);
     let (left, right) = if place.obtuse { (1, 2) } else { (2, 1) };

@@ -12,10 +12,10 @@ use std::sync::Arc;
 /// Number of recent shapes whose lists of faces are cached.
 const RECENT: usize = 8;
 
-/// Reads the contents of a camera's block; `source` is the span of the block.
+/// Reads the contents of a camera's block; `source` is the span of the word `camera`.
 ///
 /// # Errors
-/// With the span of the unexpected token, and the expectation.
+/// A diagnostic at the first item that is not understood.
 pub fn read_camera(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Camera> {
     let mut known = vec![];
     Camera::read(r, source, &defaults.texture, &mut |r| Ok(placed_mesh(&*Object::read(r, defaults)?, &mut known)))

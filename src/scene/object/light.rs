@@ -42,7 +42,7 @@ pub const LIGHT_GROUP: Spec = Spec {
 };
 
 impl LightSource {
-    /// Reads the contents of a `light_source` block; `source` is the span of the block.
+    /// Reads the contents of a `light_source` block; `source` is the span of its word.
     pub(super) fn read(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Self> {
         let mut lit = Self::from(Light::read_location_and_color(r, source)?);
         loop {
@@ -83,7 +83,7 @@ impl LightSource {
 }
 
 impl Object {
-    /// Reads the contents of a `light_group` block; `source` is the span of the block.
+    /// Reads the contents of a `light_group` block; `source` is the span of its word.
     pub(super) fn read_light_group(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let (mut parts, mut global, mut steps) = (vec![], false, vec![]);
         loop {
@@ -111,7 +111,7 @@ impl Object {
         Ok(object)
     }
 
-    /// Reads the contents of a light's block; `source` is the span of the block.
+    /// Reads the contents of a light's block as an object; `source` is the span of the block's word.
     pub(super) fn read_light(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let lit = LightSource::read(r, source, defaults)?;
         Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(lit)), "light_source", source, defaults)))

@@ -88,7 +88,7 @@ pub struct Object {
     pub body: Arc<ObjectBody>,
     /// Product of all transforms of the object: from object space to the space of the block around it.
     pub transform: SharedDefault<Transform>,
-    /// Span of the object's block.
+    /// Span of the word of the object's block, or of the name of a declared object.
     pub source: Span,
     /// Default texture for parts without a texture, as it was when the object was added to the scene; used for
     /// outermost objects only.
@@ -107,15 +107,17 @@ pub struct ObjectBody {
     pub uncommon: SharedDefault<Uncommon>,
     /// Word of the object's block, such as `sphere`.
     pub word: &'static str,
-    /// Bounding box, nesting depth and number of shapes of a CSG object; `None` for a single shape or a light.
+    /// Bounding box, nesting depth and number of shapes of a CSG object, or of an object with clipping or bounding
+    /// objects; `None` for any other shape or light.
     #[serde(skip)]
     pub bulk: Option<Box<Bulk>>,
 }
 
-/// Bounding box, nesting depth and number of shapes of a CSG object.
+/// Bounding box, nesting depth and number of shapes of a CSG object, or of an object with clipping or bounding objects.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bulk {
-    /// Box that [`Object::pov_bounds`] returns, in the space after the object's transforms.
+    /// POV-Ray's box of a CSG object, in the space after the object's transforms and before clipping; `None` for a
+    /// shape or a light.
     pub pov_bounds: Option<Aabb>,
     /// Nesting depth and number of shapes.
     pub weight: Weight,
@@ -201,7 +203,7 @@ impl ObjectBody {
         self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
     }
 
-    /// True if a transform of the object must also transform textures or clipping objects.
+    /// True if a transform of the object must also transform its box, textures, interior, clipping or bounding objects.
     fn has_transformed_contents(&self) -> bool {
         let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
         let bound = self.uncommon.clipped_by.is_some() || self.uncommon.bounded_by.is_some();
@@ -254,7 +256,7 @@ impl Object {
         self.uncommon.interior_texture.is_none()
     }
 
-    /// Transforms the object with its textures and clipping objects.
+    /// Transforms the object with its textures, its interior, and its clipping and bounding objects.
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step).into();
         if !self.body.has_transformed_contents() {

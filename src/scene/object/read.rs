@@ -37,7 +37,7 @@ impl Object {
     /// The result is boxed, because objects are large and passed from block to block.
     ///
     /// # Errors
-    /// With the span of the unexpected token, and the expectation.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.peek_next()? {
             Next::Block(word) => {
@@ -275,7 +275,8 @@ impl Object {
         texture
     }
 
-    /// Adds layers to the object's own texture, even if a declaration set that texture (quirk: `textures_add_layers`).
+    /// Returns `texture` as layers above `below`, the object's present texture or interior texture, even if a
+    /// declaration set that one (quirk: `textures_add_layers`).
     fn with_layers(&self, below: Option<&Painted>, texture: Arc<Texture>, language: &Language) -> Painted {
         let layers = match below {
             Some(below) => {

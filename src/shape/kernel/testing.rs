@@ -113,7 +113,7 @@ impl Reader for NumberWordReader {
         if Reader::peek_next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
     }
 
-    fn peek_until_directive(&mut self) -> Result<Next> {
+    fn peek_next_unless_separated(&mut self) -> Result<Next> {
         Reader::peek_next(self)
     }
 

@@ -150,8 +150,9 @@ impl Builder<'_> {
         branches.into_boxed_slice()
     }
 
-    fn span_of_token_indices(&self, start_token: usize, end_token: usize) -> Span {
-        self.token_span(self.tokens[start_token]).to(self.token_span(self.tokens[end_token.max(start_token + 1) - 1]))
+    fn span_of_token_indices(&self, start_token: usize, token_after_end: usize) -> Span {
+        self.token_span(self.tokens[start_token])
+            .to(self.token_span(self.tokens[token_after_end.max(start_token + 1) - 1]))
     }
 
     fn switch(&self, pair: Pair<Rule>, context: Context) -> Directive {

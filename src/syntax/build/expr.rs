@@ -175,7 +175,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Builds a call of a built-in function, whose arguments have commas between them.
+    /// Builds a call of a built-in function; `None` unless its arguments are expressions or blocks with one comma
+    /// between two of them.
     fn builtin(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
         let (span, name) = (self.span(&pair), word::word_of_number(self.first_token(&pair).data));
         let mut arguments = vec![];

@@ -74,7 +74,7 @@ impl Builder {
         self.set_enclosing_pair(i);
         match self.outline.class(i) {
             class::BRACE | class::PAREN | class::BRACKET | class::VECTOR => self.open_bracket(i),
-            class::LOOSE if matches!(self.outline.word(i), "{" | "(" | "[") => self.open_bracket(i),
+            class::LOOSE if matches!(self.outline.token_text(i), "{" | "(" | "[") => self.open_bracket(i),
             class::BRACE_END => self.close(b'{', i),
             class::PAREN_END => self.close(b'(', i),
             class::BRACKET_END => self.close(b'[', i),
@@ -131,15 +131,15 @@ impl Builder {
     }
 
     fn visit_directive(&mut self, class: u8, i: usize) {
-        if class::opens_body(class) {
+        if class::class_opens_body(class) {
             let (word, end) = (self.outline.directive_word(&self.outline.tokens[i]), self.range(i).end);
             self.open(end - word.len()..end, i);
         }
         match class {
             class::DECLARE => self.visit_declare_directive(i),
             class::MACRO => self.visit_macro_directive(i),
-            class::FOR if self.is_name(i + 2) => self.declare(i + 2, DeclarationKind::Counter, i),
-            class::ELSE | class::ELSEIF | class::CASE | class::RANGE => self.next_branch(i),
+            class::FOR if self.is_name(i + 2) => self.add_declaration(i + 2, DeclarationKind::Counter, i),
+            class::ELSE | class::ELSEIF | class::CASE | class::RANGE => self.begin_next_branch(i),
             class::END => self.visit_end_directive(i),
             class::PLAIN => self.visit_plain_directive(i),
             _ => {}
@@ -153,11 +153,11 @@ impl Builder {
             // `#declare deprecated once "message" A =`
             name = (name + 1..=name + 1 + MAX_DEPRECATION).find(|&at| self.is_name(at)).unwrap_or(name);
         }
-        let is_local = self.outline.word(i).ends_with("local");
+        let is_local = self.outline.token_text(i).ends_with("local");
         match self.outline.class(name + 1) {
             _ if !self.is_name(name) => {}
-            class::EQUAL if is_local => self.declare(name, DeclarationKind::Local, i),
-            class::EQUAL => self.declare(name, DeclarationKind::Declare, i),
+            class::EQUAL if is_local => self.add_declaration(name, DeclarationKind::Local, i),
+            class::EQUAL => self.add_declaration(name, DeclarationKind::Declare, i),
             _ => self.add_use(name, false),
         }
     }
@@ -166,19 +166,19 @@ impl Builder {
     fn visit_macro_directive(&mut self, i: usize) {
         let is_named = self.is_name(i + 1);
         if is_named {
-            self.declare(i + 1, DeclarationKind::Macro, i);
+            self.add_declaration(i + 1, DeclarationKind::Macro, i);
         }
         self.macros.extend(self.open.last());
-        if !is_named || self.outline.word(i + 2) != "(" {
+        if !is_named || self.outline.token_text(i + 2) != "(" {
             return;
         }
         let may_be_between =
             |token: &Token| matches!(token.kind, TokenKind::Name | TokenKind::Sign | TokenKind::Word(_));
         let mut at = i + 3;
-        while self.outline.word(at) != ")" && self.outline.tokens.get(at).is_some_and(may_be_between) {
+        while self.outline.token_text(at) != ")" && self.outline.tokens.get(at).is_some_and(may_be_between) {
             // `optional C`: the second name is the parameter.
             if self.is_name(at) && !self.is_name(at + 1) {
-                self.declare(at, DeclarationKind::Parameter, i);
+                self.add_declaration(at, DeclarationKind::Parameter, i);
             }
             at += 1;
         }
@@ -186,7 +186,7 @@ impl Builder {
     }
 
     /// Begins the next branch of the innermost directive: brackets of the branch before remain unclosed.
-    fn next_branch(&mut self, i: usize) {
+    fn begin_next_branch(&mut self, i: usize) {
         let body = self.open.iter().rposition(|&pair| self.outline.pairs[pair].bracket == b'#');
         self.leave_unclosed_beyond_depth(body.map_or(0, |body| body + 1), self.range(i).end);
         self.set_enclosing_pair(i);
@@ -214,11 +214,11 @@ impl Builder {
     }
 
     /// Adds the declaration of a name by a directive.
-    fn declare(&mut self, name_token: usize, kind: DeclarationKind, directive_token: usize) {
+    fn add_declaration(&mut self, name_token: usize, kind: DeclarationKind, directive_token: usize) {
         let (range, scope) = (self.range(name_token), self.macros.last().copied());
         let whole = self.range(directive_token).start..range.end;
         self.outline.declarations.push(Declaration {
-            name: self.outline.word(name_token).into(),
+            name: self.outline.token_text(name_token).into(),
             range,
             kind,
             scope,

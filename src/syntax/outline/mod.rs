@@ -184,7 +184,7 @@ impl Outline {
     }
 
     /// Returns the index of the pair of the innermost macro, from the macro `scope` outwards, that declares a name as a
-    /// local or parameter; `None` for a global name.
+    /// local, parameter or loop counter; `None` for a global name.
     pub fn declaring_macro_pair(&self, name: &str, scope: Option<usize>) -> Option<usize> {
         use DeclarationKind::{Counter, Local, Parameter};
         let owns = |pair: &usize| {
@@ -235,7 +235,7 @@ impl Outline {
     }
 
     /// Returns the text of a token; empty after the last one.
-    pub(super) fn word(&self, token: usize) -> &str {
+    pub(super) fn token_text(&self, token: usize) -> &str {
         self.tokens.get(token).map_or("", |token| self.slice(&token.range))
     }
 

@@ -25,13 +25,17 @@ pub(super) struct Declared<'a> {
     /// Names of macros; true if each macro of the name ends with the `}` of a block.
     macros: FxHashMap<&'a str, bool>,
     /// True if the scene's own file requests a language version without `;` after values.
-    pub is_old: bool,
+    pub has_old_version: bool,
 }
 
 impl<'a> Declared<'a> {
-    pub(super) fn new(own: &Outline, all: &'a [Outline]) -> Self {
-        let mut out = Self { kinds: FxHashMap::default(), macros: FxHashMap::default(), is_old: is_old(own) };
-        all.iter().for_each(|outline| out.gather(outline));
+    pub(super) fn new(own_file: &Outline, all_files: &'a [Outline]) -> Self {
+        let mut out = Self {
+            kinds: FxHashMap::default(),
+            macros: FxHashMap::default(),
+            has_old_version: has_old_version(own_file),
+        };
+        all_files.iter().for_each(|outline| out.add_declarations_of(outline));
         out
     }
 
@@ -44,7 +48,7 @@ impl<'a> Declared<'a> {
         self.macros.get(name) == Some(&true)
     }
 
-    fn gather(&mut self, outline: &'a Outline) {
+    fn add_declarations_of(&mut self, outline: &'a Outline) {
         for d in &outline.declarations {
             match d.kind {
                 DeclarationKind::Declare | DeclarationKind::Local => self.add(&d.name, kind_of(outline, d)),
@@ -75,9 +79,9 @@ fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
     let value = outline.first_token_from(d.range.end) + 1;
     let end = match outline.class(value) {
         class::VECTOR => token_after_partner(outline, value),
-        class::LITERAL if outline.word(value).starts_with('<') => Some(value + 1),
+        class::LITERAL if outline.token_text(value).starts_with('<') => Some(value + 1),
         _ if outline.class(value + 1) == class::BRACE => {
-            let block = BLOCKS.iter().find(|block| **block == outline.word(value));
+            let block = BLOCKS.iter().find(|block| **block == outline.token_text(value));
             return block.map_or(DeclaredKind::Unknown, |block| DeclaredKind::Block(block));
         }
         _ => None,
@@ -89,7 +93,7 @@ fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
 }
 
 /// True if the text contains a `#version` directive below 3.5, or one without a literal number.
-fn is_old(outline: &Outline) -> bool {
+fn has_old_version(outline: &Outline) -> bool {
     let mut versions = (0..outline.tokens.len()).filter(|&at| outline.directive_word(&outline.tokens[at]) == "version");
-    versions.any(|at| outline.word(at + 1).parse::<f64>().map_or(true, |version| version < 3.5))
+    versions.any(|at| outline.token_text(at + 1).parse::<f64>().map_or(true, |version| version < 3.5))
 }

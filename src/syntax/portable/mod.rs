@@ -15,14 +15,14 @@ use declared::Declared;
 /// Label of the position where a `;` is missing.
 pub const MISSING_SEMICOLON: &str = "`;` goes here";
 
-/// Reports text of the scene's own file that POV-Ray 3.7 rejects. In the outline `own`, each number is a token; `all`
-/// holds the outlines of the file and of its includes.
-pub(super) fn lint_portability(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
-    let declared = Declared::new(own, all);
-    let mut check = Check { outline: own, declared: &declared, directive: None, addition: None, out: vec![] };
-    for token in 0..own.tokens.len() {
+/// Reports text of the scene's own file that POV-Ray 3.7 rejects. In the outline `own_file`, each number is a token;
+/// `all_files` holds the outlines of the file and of its includes.
+pub(super) fn lint_portability(own_file: &Outline, all_files: &[Outline]) -> Vec<Diagnostic> {
+    let declared = Declared::new(own_file, all_files);
+    let mut check = Check { outline: own_file, declared: &declared, directive: None, addition: None, out: vec![] };
+    for token in 0..own_file.tokens.len() {
         check.apply_rules(token);
-        if class::is_directive(own.class(token)) {
+        if class::is_directive(own_file.class(token)) {
             check.directive = Some(token);
         }
     }

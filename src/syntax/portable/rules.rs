@@ -52,8 +52,12 @@ impl Check<'_> {
             class::VECTOR | class::NUMBER => self.report_color_without_keyword(token),
             class::DECLARE => self.check_declaration(token),
             class::NAME => self.report_misused_declared_name(token),
-            class::KEYWORD | class::HEAD if self.outline.word(token) == "array" => self.report_unsized_array(token),
-            class::STRING if token > 0 && self.outline.word(token - 1) == "ttf" => self.report_font_family_name(token),
+            class::KEYWORD | class::HEAD if self.outline.token_text(token) == "array" => {
+                self.report_unsized_array(token)
+            }
+            class::STRING if token > 0 && self.outline.token_text(token - 1) == "ttf" => {
+                self.report_font_family_name(token)
+            }
             class::KEYWORD => self.report_durer_only_word(token),
             _ => {}
         }
@@ -87,11 +91,11 @@ impl Check<'_> {
         if block == "object" && matches!(outer, "pigment" | "normal" | "texture" | "density") {
             return;
         }
-        let modifies = is_keyword(self.outline, token + 1) && MODIFIERS.contains(&self.outline.word(token + 1));
+        let modifies = is_keyword(self.outline, token + 1) && MODIFIERS.contains(&self.outline.token_text(token + 1));
         let in_row = LIST_BLOCKS.contains(&block) && self.outline.class_before(token) == class::BRACE_END;
         if PATTERN_BLOCKS.contains(&block) {
             let begins = is_keyword(self.outline, token + 1)
-                && (modifies || PATTERN_WORDS.contains(&self.outline.word(token + 1)));
+                && (modifies || PATTERN_WORDS.contains(&self.outline.token_text(token + 1)));
             // A macro that is called before it may contain a list.
             let listed = self.outline.class_before(token) == class::PAREN_END || self.has_list_pattern_before(token);
             if (begins || next == class::BRACE_END) && !listed {
@@ -115,7 +119,8 @@ impl Check<'_> {
     /// one.
     fn has_list_pattern_before(&self, token: usize) -> bool {
         let start = self.brackets_around(token).next().map_or(0, |open| open.opener);
-        (start..token).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
+        (start..token)
+            .any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.token_text(i)))
     }
 
     fn report_semicolon_if_refused(&mut self, semicolon: usize) {
@@ -144,7 +149,7 @@ impl Check<'_> {
                 && !self.in_macro(semicolon)
                 && semicolon > 1 =>
             {
-                let directive = self.outline.word(semicolon - 2);
+                let directive = self.outline.token_text(semicolon - 2);
                 if matches!(
                     directive.trim_start_matches('#'),
                     "include" | "debug" | "warning" | "render" | "statistics"
@@ -180,7 +185,7 @@ impl Check<'_> {
             || before == class::BRACE_END && self.follows_statement_block(name);
         starts
             && self.outline.class(name) == class::NAME
-            && self.declared.macro_ends_with_block(self.outline.word(name))
+            && self.declared.macro_ends_with_block(self.outline.token_text(name))
     }
 
     /// True if the block that ends before this token is a statement, not a value or a part of a macro or a branch.
@@ -188,13 +193,13 @@ impl Check<'_> {
         let Some(head) = self.outline.closed_by(token - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
-        let (word, before) = (self.outline.word(head), self.outline.class_before(head));
+        let (word, before) = (self.outline.token_text(head), self.outline.class_before(head));
         let known = is_object(word) || word == "light_source" || word == "camera";
         // (After `=` it is a value, after a comma or `(` an argument.)
         known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON)
     }
 
-    /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
+    /// Reports a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn report_color_without_keyword(&mut self, token: usize) {
         let is_vector = self.outline.class(token) == class::VECTOR;
         if self.is_first_in_pigment(token) || is_vector && self.is_map_entry_value(token) {
@@ -219,7 +224,7 @@ impl Check<'_> {
             && matches!(self.outline.head(map), "color_map" | "colour_map" | "pigment_map")
     }
 
-    /// Checks for an array without a size, `array { 1, 2 }`.
+    /// Reports an array without a size, `array { 1, 2 }`.
     fn report_unsized_array(&mut self, token: usize) {
         if self.outline.class(token + 1) == class::BRACE {
             self.report(token, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
@@ -231,7 +236,7 @@ impl Check<'_> {
             let message = "POV-Ray 3.7 declares one name at a time";
             return self.report(token + 1, message.into(), "write a `#declare` for each name");
         }
-        if self.declared.is_old || self.outline.class(token + 1) != class::NAME {
+        if self.declared.has_old_version || self.outline.class(token + 1) != class::NAME {
             return;
         }
         let Some(equal) = (token + 2..self.outline.tokens.len()).find(|&i| self.outline.class(i) == class::EQUAL)
@@ -243,15 +248,16 @@ impl Check<'_> {
             (token + 2..equal).all(|i| !is_directive(self.outline.class(i)) && self.outline.class(i) != class::BRACE);
         let Some(end) = value::token_after_value(self.outline, equal + 1).filter(|_| indices) else { return };
         let next = self.outline.class(end);
-        let goes_on = is_keyword(self.outline, end) && !self.outline.word(end).is_empty() && next != class::FUNCTION;
+        let goes_on =
+            is_keyword(self.outline, end) && !self.outline.token_text(end).is_empty() && next != class::FUNCTION;
         // (The token that ends a macro may precede the `;` of its call.)
         let ends_branch = matches!(next, class::END | class::ELSE | class::ELSEIF | class::CASE | class::RANGE)
             && !self.directives_around(token).next().is_some_and(|inner| self.outline.is_macro(inner));
         if matches!(next, 0 | class::DECLARE | class::PLAIN)
             || ends_branch
-            || goes_on && is_statement_word(self.outline.word(end))
+            || goes_on && is_statement_word(self.outline.token_text(end))
         {
-            let name = self.outline.word(token + 1);
+            let name = self.outline.token_text(token + 1);
             let message = format!("POV-Ray needs a `;` after the value of `{name}`");
             self.report(token + 1, message, format!("`#declare {name} = …;`"));
             let behind = self.outline.token_span(end - 1).end();
@@ -271,10 +277,10 @@ impl Check<'_> {
         }
         let is_color = self.is_first_in_pigment(token) || self.is_map_entry_value(token);
         let block = self.enclosing_block_word(token).unwrap_or("");
-        let name = self.outline.word(token);
+        let name = self.outline.token_text(token);
         match self.declared.kind(name) {
             Some(DeclaredKind::Block(of))
-                if is_object(block) && self.outline.word(token.saturating_sub(1)) != "transform" =>
+                if is_object(block) && self.outline.token_text(token.saturating_sub(1)) != "transform" =>
             {
                 let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
                 self.report(token, message, format!("write `{of} {{ {name} }}`"));
@@ -292,7 +298,7 @@ impl Check<'_> {
         let (Some(block), Some(open)) = (self.enclosing_block_word(token), self.brackets_around(token).next()) else {
             return;
         };
-        let name = self.outline.word(token);
+        let name = self.outline.token_text(token);
         let own = word::durer_words_of_block(block).contains(&name);
         // One message for each block is enough.
         let is_reported = self.addition > Some(open.opener);
@@ -309,7 +315,7 @@ impl Check<'_> {
 
     /// Reports a font that is given by its family name. (The name of a font file usually has no blanks, or an ending.)
     fn report_font_family_name(&mut self, token: usize) {
-        if self.outline.word(token).contains(' ') && !self.outline.word(token).contains('.') {
+        if self.outline.token_text(token).contains(' ') && !self.outline.token_text(token).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
             self.report(token, "only durer finds fonts by the names of their families".into(), help);
         }

@@ -33,14 +33,14 @@ pub(super) fn token_after_value(outline: &Outline, token: usize) -> Option<usize
 }
 
 fn is_color_word(outline: &Outline, token: usize) -> bool {
-    is_keyword(outline, token) && COLOR_WORDS.contains(&outline.word(token))
+    is_keyword(outline, token) && COLOR_WORDS.contains(&outline.token_text(token))
 }
 
 fn token_after_operand(outline: &Outline, token: usize) -> Option<usize> {
     match outline.class(token) {
         class::NUMBER => Some(token + 1),
         class::PAREN | class::VECTOR => token_after_partner(outline, token),
-        class::BUILTIN if STRING_FUNCTIONS.contains(&outline.word(token)) => None,
+        class::BUILTIN if STRING_FUNCTIONS.contains(&outline.token_text(token)) => None,
         class::BUILTIN if outline.class(token + 1) == class::PAREN => token_after_partner(outline, token + 1),
         // `rgb` and its value.
         _ if is_color_word(outline, token) => {
@@ -51,7 +51,7 @@ fn token_after_operand(outline: &Outline, token: usize) -> Option<usize> {
             }
         }
         // Among names, only the built-in constants are known to be numbers.
-        class::NAME if is_constant(outline.word(token)) => Some(token + 1),
+        class::NAME if is_constant(outline.token_text(token)) => Some(token + 1),
         _ => None,
     }
 }

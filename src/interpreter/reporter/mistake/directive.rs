@@ -1,7 +1,7 @@
 //! Mistakes in directives, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_name_char, split_leading_name, value_up_to_semicolon, without_comment};
+use super::source_line::{SourceLine, is_name_char, shortened_value, split_leading_name, without_comment};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns the word after the `#` at the fault, and the rest of the line.
@@ -26,7 +26,7 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<CommonMis
         _ => return None,
     };
     let (red, green, blue) = (red?, green?, blue?);
-    let habit = CommonMistake::help(format!("write `srgb <{red}, {green}, {blue}>/255`"));
+    let habit = CommonMistake::with_help(format!("write `srgb <{red}, {green}, {blue}>/255`"));
     Some(habit.message(format!("a colour is not written as `#{word}`")))
 }
 
@@ -39,24 +39,25 @@ pub(super) fn define_directive(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let help = match rest.strip_prefix('(') {
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
         None => {
-            format!("write `#declare {name} = {};`", value_up_to_semicolon(rest.trim_start().trim_start_matches('=')))
+            format!("write `#declare {name} = {};`", shortened_value(rest.trim_start().trim_start_matches('=')))
         }
     };
-    Some(CommonMistake::help(help).leaves_undeclared(name))
+    Some(CommonMistake::with_help(help).with_undeclared_name(name))
 }
 
 /// Recognizes the mistake `#elsif (A)` for `#elseif`.
 pub(super) fn other_elseif_spelling(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, rest) = unknown_directive_and_rest(source, d)?;
     let condition = without_comment(rest);
-    crate::syntax::fault::is_other_elseif(word).then(|| CommonMistake::help(format!("write `#elseif {condition}`")))
+    crate::syntax::fault::is_other_elseif(word)
+        .then(|| CommonMistake::with_help(format!("write `#elseif {condition}`")))
 }
 
 /// Recognizes the mistake `#endif` for `#end`.
 pub(super) fn other_end_spelling(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, _) = unknown_directive_and_rest(source, d)?;
     crate::syntax::fault::is_other_end(word)
-        .then(|| CommonMistake::help("every directive with a body ends with `#end`"))
+        .then(|| CommonMistake::with_help("every directive with a body ends with `#end`"))
 }
 
 /// Recognizes the mistake `#Size = 3;`, without the word `declare`.
@@ -64,8 +65,8 @@ pub(super) fn assignment_after_hash(source: &SourceLine, d: &Diagnostic) -> Opti
     let (name, rest) = unknown_directive_and_rest(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(
-        CommonMistake::help(format!("write `#declare {name} = {};`", value_up_to_semicolon(value)))
-            .leaves_undeclared(name),
+        CommonMistake::with_help(format!("write `#declare {name} = {};`", shortened_value(value)))
+            .with_undeclared_name(name),
     )
 }
 
@@ -74,15 +75,15 @@ pub(super) fn comment_after_hash(source: &SourceLine, d: &Diagnostic) -> Option<
     unknown_directive_and_rest(source, d).filter(|_| d.help.is_none())?;
     let text = source.rest_from_fault().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
-    let help = format!("a comment begins with `//`: `// {}`", value_up_to_semicolon(comment));
-    Some(CommonMistake::help(help).range(source.file_range_of(text)))
+    let help = format!("a comment begins with `//`: `// {}`", shortened_value(comment));
+    Some(CommonMistake::with_help(help).range(source.file_range_of(text)))
 }
 
 /// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
 pub(super) fn misspelt_directive(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (_, rest) = unknown_directive_and_rest(source, d)?;
     let rest = rest.trim_start();
-    let habit = CommonMistake::help(d.help.clone()?);
+    let habit = CommonMistake::with_help(d.help.clone()?);
     // The file of a misspelt `#include` was not read.
     if let Some(file) = rest.strip_prefix('"').and_then(|rest| rest.split('"').next()) {
         return Some(CommonMistake { file: Some(file.to_string()), ..habit });
@@ -90,7 +91,7 @@ pub(super) fn misspelt_directive(source: &SourceLine, d: &Diagnostic) -> Option<
     let loses_directive = matches!(d.help.as_deref(), Some(help) if ["#macro", "#if", "#for", "#while", "#switch"].iter().any(|w| help.contains(w)));
     let habit = CommonMistake { loses_directive, ..habit };
     Some(match split_leading_name(rest) {
-        Some((name, _)) => habit.leaves_undeclared(name),
+        Some((name, _)) => habit.with_undeclared_name(name),
         None => habit,
     })
 }
@@ -100,7 +101,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMista
     let before = source.before_fault().trim_end();
     let rest = source.rest_from_fault().strip_prefix("if")?.trim_start();
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
-    let habit = CommonMistake::help(format!("write `#elseif {}`", without_comment(rest)));
+    let habit = CommonMistake::with_help(format!("write `#elseif {}`", without_comment(rest)));
     let start = source.line.start + before.rfind('#')?;
     let habit = habit.message("`#else if` is written as one word: `#elseif`").range(start..source.at + 2);
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
@@ -128,12 +129,12 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
         _ => limit.to_string(),
     };
     let by = if step < 0 { ", -1" } else { "" };
-    let habit = CommonMistake::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
+    let habit = CommonMistake::with_help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
     let start = source.trimmed_line_offset_in_file();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
-    Some(habit.code(codes::SYNTAX).leaves_undeclared(counter))
+    Some(habit.code(codes::SYNTAX).with_undeclared_name(counter))
 }
 
 /// Recognizes the mistake `#include colors.inc`, a file name without quotes.
@@ -153,7 +154,7 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
     if !plain || !name.contains('.') {
         return None;
     }
-    let habit = CommonMistake::help(format!("write `#include \"{name}\"`"));
+    let habit = CommonMistake::with_help(format!("write `#include \"{name}\"`"));
     let habit = habit.message("the name of a file is written in double quotes").range(source.file_range_of(typed));
     Some(CommonMistake { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
@@ -171,7 +172,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
         return None;
     }
     let head = statement.split('{').next().unwrap_or_default().trim_end();
-    let habit = CommonMistake::help(format!("write `{head} … #end`, without `{{` and `}}`"));
+    let habit = CommonMistake::with_help(format!("write `{head} … #end`, without `{{` and `}}`"));
     Some(habit.message(format!("what belongs to a `#{word}` has no braces around it")))
 }
 
@@ -187,15 +188,15 @@ pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Opt
     let habit = match word {
         "def" | "func" | "fn" | "proc" | "sub" => {
             let head = typed.trim_end_matches([':', '{', ' ']);
-            CommonMistake::help(format!("write `#macro {head} … #end`"))
+            CommonMistake::with_help(format!("write `#macro {head} … #end`"))
                 .message(format!("`{word}` defines nothing here"))
         }
         "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
         | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
-            let head = value_up_to_semicolon(statement.split('{').next().unwrap_or_default());
+            let head = shortened_value(statement.split('{').next().unwrap_or_default());
             let rest = if statement.contains('{') { " … #end" } else { "" };
             let help = format!("write `#{head}{rest}`");
-            CommonMistake::help(help).message(format!("the directive `{word}` is missing its `#`"))
+            CommonMistake::with_help(help).message(format!("the directive `{word}` is missing its `#`"))
         }
         _ => return None,
     };

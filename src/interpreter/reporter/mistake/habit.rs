@@ -27,7 +27,7 @@ pub(super) struct CommonMistake {
 
 impl CommonMistake {
     /// Creates a mistake that replaces only the error's help.
-    pub(super) fn help(text: impl Into<String>) -> Self {
+    pub(super) fn with_help(text: impl Into<String>) -> Self {
         Self { help: text.into(), ..Self::default() }
     }
 
@@ -46,7 +46,7 @@ impl CommonMistake {
         self
     }
 
-    pub(super) fn leaves_undeclared(mut self, name: &str) -> Self {
+    pub(super) fn with_undeclared_name(mut self, name: &str) -> Self {
         self.names.push(name.into());
         self
     }

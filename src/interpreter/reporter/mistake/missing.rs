@@ -114,20 +114,22 @@ impl Reporter<'_> {
         }
     }
 
-    /// True if a file of the library of standard include files declares the name, in any letter case.
+    /// True if a standard include file declares the name. A name of up to four letters counts only with the same letter
+    /// case, and only if the file has not been read.
     pub fn is_declared_in_library(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
             || name.len() > 4 && library::standard_names().any(|n| n.eq_ignore_ascii_case(name))
     }
 
-    /// Returns the help for a name that a standard include file declares, used outside of all blocks.
+    /// Returns the help for a name that a standard include file declares, used outside of all blocks; `None` if no such
+    /// file declares it, or if the file has been read.
     pub fn include_hint(&self, name: &str) -> Option<String> {
         self.include_missing_for(name).map(|file| {
             format!("`{name}` is declared in `{file}`; it is used inside a block, after `#include \"{file}\"`")
         })
     }
 
-    /// Returns the standard include file that declares a name; `None` if the file has been read.
+    /// Returns the standard include file that declares a name; `None` if none does, or if the file has been read.
     pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
         let file = library::standard_file_of(name)?;
         let read = |(id, _): (crate::source::FileId, &_)| {

@@ -2,7 +2,7 @@
 
 use super::habit::CommonMistake;
 use super::source_line::{
-    SourceLine, is_name_char, split_leading_name, split_trailing_name, value_up_to_semicolon, without_comment,
+    SourceLine, is_name_char, shortened_value, split_leading_name, split_trailing_name, without_comment,
 };
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
@@ -16,7 +16,7 @@ pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<CommonMis
     let (left, right) = (trailing_operand(&source.text[source.line.start..at]), &source.text[at + 2..source.line.end]);
     let right = right.trim_start();
     let right = &right[..right.find(|c: char| !is_name_char(c) && c != '.').unwrap_or(right.len())];
-    let habit = CommonMistake::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
+    let habit = CommonMistake::with_help(format!("write `{left} != {right}`")).message("`<>` does not compare");
     Some(habit.range(at..at + 2).code(codes::SYNTAX))
 }
 
@@ -36,14 +36,14 @@ pub(super) fn doubled_operator(source: &SourceLine, d: &Diagnostic) -> Option<Co
         "==" => "a single `=` compares",
         _ => return None,
     };
-    Some(CommonMistake::help(help).message(format!("`{typed}` is not allowed here")))
+    Some(CommonMistake::with_help(help).message(format!("`{typed}` is not allowed here")))
 }
 
 /// Recognizes the mistake `A + ;`, without a right operand.
 pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
-    let habit = CommonMistake::help("an operator needs a value on both sides");
+    let habit = CommonMistake::with_help("an operator needs a value on both sides");
     Some(habit.message(format!("expected a value after `{sign}`, found `;`")).range(before.len()..before.len() + 1))
 }
 
@@ -53,16 +53,16 @@ pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let left = source.before_fault().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
     let habit = match word.to_ascii_lowercase().as_str() {
-        "and" => CommonMistake::help(message("&", "the logical and")),
-        "or" => CommonMistake::help(message("|", "the logical or")),
-        "not" => CommonMistake::help(format!("the logical not is `!`: `!{}`", leading_operand(right))),
-        "mod" if !right.trim_start().starts_with('(') => CommonMistake::help(format!(
+        "and" => CommonMistake::with_help(message("&", "the logical and")),
+        "or" => CommonMistake::with_help(message("|", "the logical or")),
+        "not" => CommonMistake::with_help(format!("the logical not is `!`: `!{}`", leading_operand(right))),
+        "mod" if !right.trim_start().starts_with('(') => CommonMistake::with_help(format!(
             "the remainder is `mod({}, {})`",
             trailing_operand(left),
             leading_operand(right)
         )),
         "then" if left.ends_with(')') => {
-            CommonMistake::help("the condition is followed by what depends on it, and then `#end`")
+            CommonMistake::with_help("the condition is followed by what depends on it, and then `#end`")
         }
         _ => return None,
     };
@@ -84,8 +84,8 @@ pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<C
     let value = source.rest_from_fault().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = split_trailing_name(source.before_fault().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
-    let value = value_up_to_semicolon(value.split(['}', ';']).next().unwrap_or_default());
-    let habit = CommonMistake::help(format!("a value directly follows its word: `{word} {value}`"));
+    let value = shortened_value(value.split(['}', ';']).next().unwrap_or_default());
+    let habit = CommonMistake::with_help(format!("a value directly follows its word: `{word} {value}`"));
     plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
 
@@ -105,7 +105,7 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Co
     }
     let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
     let start = source.line.start + open - name.len();
-    let habit = CommonMistake::help(format!("write `{name}{written}`"));
+    let habit = CommonMistake::with_help(format!("write `{name}{written}`"));
     let habit = habit.message("each index of an array has its own brackets");
     Some(habit.range(start..source.line.start + close + 1))
 }
@@ -122,7 +122,7 @@ pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Opti
         return None;
     }
     let commas = numbers.join(", ");
-    Some(CommonMistake::help(format!(
+    Some(CommonMistake::with_help(format!(
         "put commas between the numbers: `<{commas}>`; a sign without a comma before it subtracts"
     )))
 }
@@ -141,7 +141,7 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let rest = without_comment(source.rest_from_fault());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
-    let habit = CommonMistake::help(format!(
+    let habit = CommonMistake::with_help(format!(
         "a vector is written in angle brackets: `{word} <{}>`",
         numbers.trim_end_matches([',', ' '])
     ));
@@ -156,7 +156,7 @@ pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option
     let word = split_trailing_name(source.before_fault().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
     let help = format!("vectors are written in angle brackets: `{word}{space}<{}>`", numbers.trim());
-    (plain && (word.is_empty() || lookup(word).is_some())).then(|| CommonMistake::help(help))
+    (plain && (word.is_empty() || lookup(word).is_some())).then(|| CommonMistake::with_help(help))
 }
 
 /// Recognizes the mistake `sphere { [0, 1, 2], 1 }`, with square brackets.
@@ -166,5 +166,5 @@ pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Commo
         .strip_prefix('[')
         .filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
-    Some(CommonMistake::help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
+    Some(CommonMistake::with_help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
 }

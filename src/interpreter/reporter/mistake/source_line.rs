@@ -14,7 +14,7 @@ pub(super) struct SourceLine<'t> {
     pub(super) at: usize,
     /// End of the span, as an offset in the file.
     pub(super) end: usize,
-    /// Byte range of the source line, without its line feed.
+    /// Byte range of the source line, without its line feed and with at most [`LONG`] bytes on each side of the span.
     pub(super) line: Range<usize>,
 }
 
@@ -87,8 +87,9 @@ pub(super) fn split_trailing_name(text: &str) -> Option<(&str, &str)> {
     name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then_some((before, name))
 }
 
-/// Returns the text of a value up to the `;`, shortened for a help line.
-pub(super) fn value_up_to_semicolon(text: &str) -> String {
+/// Returns a value's text for a help line: without comment and final `;`, at most 50 characters, and `…` for an empty
+/// text.
+pub(super) fn shortened_value(text: &str) -> String {
     let value = without_comment(text).trim_end_matches(';').trim();
     match value.char_indices().nth(50) {
         _ if value.is_empty() => "…".into(),

@@ -1,7 +1,7 @@
 //! Mistakes in statements, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_name_char, split_leading_name, split_trailing_name, value_up_to_semicolon};
+use super::source_line::{SourceLine, is_name_char, shortened_value, split_leading_name, split_trailing_name};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
@@ -19,10 +19,11 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     let value = rest.trim_start().strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let is_list = parameters.split(',').all(|p| !p.trim().is_empty() && p.trim().chars().all(is_name_char));
     let sign = source.file_range_of(value).start - 1;
-    let body = value_up_to_semicolon(value);
-    let habit = CommonMistake::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
+    let body = shortened_value(value);
+    let habit =
+        CommonMistake::with_help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
     let habit = habit.message(format!("`{name}(…) = …` defines no function")).range(sign..sign + 1);
-    is_list.then(|| habit.code(codes::SYNTAX).leaves_undeclared(name))
+    is_list.then(|| habit.code(codes::SYNTAX).with_undeclared_name(name))
 }
 
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
@@ -35,12 +36,12 @@ pub(super) fn in_place_assignment(source: &SourceLine, _: &Diagnostic) -> Option
         "--" => ("-", "1".to_string(), 2),
         _ => {
             let sign = ["+", "-", "*", "/"].into_iter().find(|sign| rest.starts_with(sign))?;
-            (sign, value_up_to_semicolon(rest[1..].strip_prefix('=')?), 2)
+            (sign, shortened_value(rest[1..].strip_prefix('=')?), 2)
         }
     };
     let end = source.file_range_of(rest).start + length;
     let shown = &source.text[start..end];
-    let habit = CommonMistake::help(format!("write `#declare {name} = {name} {sign} {value};`"));
+    let habit = CommonMistake::with_help(format!("write `#declare {name} = {name} {sign} {value};`"));
     Some(habit.message(format!("`{shown}` does not change `{name}`")).range(start..end).code(codes::SYNTAX))
 }
 
@@ -51,9 +52,9 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Comm
     let (name, rest) = split_leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
     let value = rest.trim_start().strip_prefix('=')?;
     let start = source.trimmed_line_offset_in_file();
-    let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_up_to_semicolon(value)));
+    let habit = CommonMistake::with_help(format!("write `#declare {name} = {};`", shortened_value(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).range(start..start + kind.len());
-    Some(habit.code(codes::SYNTAX).leaves_undeclared(name))
+    Some(habit.code(codes::SYNTAX).with_undeclared_name(name))
 }
 
 /// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
@@ -62,12 +63,12 @@ pub(super) fn assignment_without_declare(source: &SourceLine, d: &Diagnostic) ->
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let sign = source.file_range_of(value).start - 1;
     let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
-    let habit = CommonMistake::help(format!(
+    let habit = CommonMistake::with_help(format!(
         "to give `{name}` a value, write `#declare {name} = {};`",
-        value_up_to_semicolon(value)
+        shortened_value(value)
     ));
     let habit = habit.message("`=` is not allowed here").range(sign..sign + 1);
-    inside.then(|| habit.code(codes::SYNTAX).leaves_undeclared(name))
+    inside.then(|| habit.code(codes::SYNTAX).with_undeclared_name(name))
 }
 
 /// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
@@ -81,11 +82,12 @@ pub(super) fn modifier_behind_object(source: &SourceLine, d: &Diagnostic) -> Opt
     let before = source.text[..source.at].trim_end();
     let message = |what: &str| format!("`{word}` follows {what}, which is complete");
     if let Some((_, name)) = split_trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
-        let rest = value_up_to_semicolon(source.rest_from_fault());
-        let habit = CommonMistake::help(format!("write `object {{ {name} {rest} }}`"));
+        let rest = shortened_value(source.rest_from_fault());
+        let habit = CommonMistake::with_help(format!("write `object {{ {name} {rest} }}`"));
         return Some(habit.message(message(&format!("the object `{name}`"))));
     }
-    let typed = value_up_to_semicolon(source.rest_from_fault());
-    let habit = CommonMistake::help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
+    let typed = shortened_value(source.rest_from_fault());
+    let habit =
+        CommonMistake::with_help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
     (modifies && before.ends_with('}')).then(|| habit.message(message("an object")))
 }

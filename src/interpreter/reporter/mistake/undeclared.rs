@@ -10,7 +10,12 @@ use crate::syntax::word;
 impl Reporter<'_> {
     /// Returns the error for a name that is not declared, with the include file that declares it or the name that was
     /// probably meant. `declared` are the names that are declared at present.
-    pub fn undeclared<'n>(&self, name: &str, span: Span, declared: impl Iterator<Item = &'n str>) -> Diagnostic {
+    pub fn undeclared_name_error<'n>(
+        &self,
+        name: &str,
+        span: Span,
+        declared: impl Iterator<Item = &'n str>,
+    ) -> Diagnostic {
         // Of a call, only the name is marked.
         let named = self.inputs.sources.snippet(span).starts_with(name);
         let span = if named { Span { hi: span.lo + name.len() as u32, ..span } } else { span };
@@ -42,7 +47,7 @@ impl Reporter<'_> {
     }
 }
 
-/// Returns a declared name with nearly the same spelling.
+/// Returns the hint "did you mean …?" with a declared name of nearly the same spelling.
 fn meant_name_hint<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option<String> {
     // A lower-case word of another tool is no misspelling.
     if hints::other_tool_hint(name).is_some() && !name.starts_with(char::is_uppercase) {
@@ -51,7 +56,7 @@ fn meant_name_hint<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> O
     nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
 }
 
-/// Returns a keyword with nearly the same spelling.
+/// Returns the hint "did you mean …?" with a keyword, function or constant of nearly the same spelling.
 fn meant_word_hint(name: &str) -> Option<String> {
     let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
     // Words of the language are in lower case: a capitalized name is a misspelling of one only if nothing else differs.
@@ -60,7 +65,7 @@ fn meant_word_hint(name: &str) -> Option<String> {
         .map(|found| format!("did you mean `{found}`?"))
 }
 
-/// Returns a name of a standard include file with nearly the same spelling.
+/// Returns the hint "did you mean …?" with a name of nearly the same spelling that a standard include file declares.
 fn meant_include_hint(name: &str) -> Option<String> {
     // Short names resemble too many others.
     let near =
