@@ -61,7 +61,7 @@ fn enclosed_lights_cause(world: &World) -> Option<BlackPictureCause> {
 
 fn enclosing_shape_and_span(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
     let mut found = None;
-    world.geometry.containing(p, &mut |item| {
+    world.geometry.visit_containing(p, &mut |item| {
         let casts = world.objects.get(item.object() as usize).is_some_and(|o| o.opaque && o.shadow);
         if casts && found.is_none() {
             found = first_shape_and_span(world, item);

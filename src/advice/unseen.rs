@@ -74,7 +74,7 @@ fn first_visible_hit<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>
 /// Returns the indices of the opaque objects that contain the camera.
 fn opaque_objects_containing(world: &World, eye: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
-    world.geometry.containing(eye, &mut |item| {
+    world.geometry.visit_containing(eye, &mut |item| {
         if world.objects.get(item.object() as usize).is_some_and(|o| o.image && o.opaque) {
             out.insert(item.object());
         }

@@ -118,7 +118,8 @@ impl Fog {
         self.distance != 0.0
     }
 
-    /// Returns radiance and transmittance of the fog along a ray of length 1, up to the distance `length`.
+    /// Returns radiance and transmittance of the fog along a ray, whose direction has length 1, up to the distance
+    /// `length`.
     pub fn segment(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
         let far = length / self.distance;
         let mut depth = far;

@@ -35,7 +35,7 @@ pub struct Rainbow {
     pub arc_angle: f64,
     /// Angle of the part of the rainbow with full strength, in radians; beyond it the arc fades.
     pub falloff_angle: f64,
-    /// Colours from the inner to the outer edge of the rainbow.
+    /// Colours from the inner to the outer edge of the rainbow; a rainbow without them is invisible.
     pub color_map: Option<Arc<ColorMap>>,
 }
 
@@ -149,7 +149,7 @@ impl Rainbow {
     }
 
     /// Returns radiance and transmittance of the rainbow along a ray, up to the distance `length`; `None` outside the
-    /// rainbow's arc. `random` returns numbers in [0, 1).
+    /// rainbow's arc, and for a rainbow without colours or with the distance 0. `random` returns numbers in [0, 1).
     fn segment(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
         let map = self.color_map.as_ref()?;
         let direction = self.direction.normalize();

@@ -18,9 +18,9 @@ pub struct LectureCamera {
     pub center: DVec3,
     /// Direction that points up in the picture.
     pub up: DVec3,
-    /// Horizontal angle of view in degrees.
+    /// Horizontal angle of view in degrees; `None` follows from `fov_y` and square pixels, and is 60 without `fov_y`.
     pub fov_x: Option<f64>,
-    /// Vertical angle of view in degrees.
+    /// Vertical angle of view in degrees; `None` follows from `fov_x` and square pixels.
     pub fov_y: Option<f64>,
     /// Transform of the whole camera, applied last.
     pub transform: Transform,

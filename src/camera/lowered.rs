@@ -87,8 +87,8 @@ impl View {
         self.nth_ray_at_pixels(x, y, 0)
     }
 
-    /// Returns camera ray `n` of the several through a point of the picture, in pixels; only a mesh camera has
-    /// more than one.
+    /// Returns camera ray `n` of the several through a point of the picture, in pixels; only a mesh camera has more
+    /// than one. `None` where the camera has no ray.
     pub fn nth_ray_at_pixels(&self, x: f64, y: f64, n: usize) -> Option<Ray> {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);

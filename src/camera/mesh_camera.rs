@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// Mesh camera as written: rays start from the faces of meshes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshCamera {
-    /// Number of rays a pixel of a mesh camera, one for each mesh.
+    /// Number of rays per pixel. With distribution 0, ray n starts from a face of mesh n; the others use one ray.
     pub rays: usize,
     /// Assignment of the mesh camera's faces to pixels.
     pub distribution: Distribution,

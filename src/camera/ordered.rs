@@ -24,7 +24,8 @@ impl PovrayCamera {
         }
     }
 
-    /// Applies the word that was just read to the camera's vectors.
+    /// Applies the word that was just read to the camera's vectors or focal distance, if it is `look_at`, `angle`,
+    /// `orthographic` or `focal_point`; other words need no more than their value.
     pub(super) fn apply_word(&mut self, word: &str) {
         match word {
             "look_at" if self.look_at != Some(self.location) => self.apply_look_at(),

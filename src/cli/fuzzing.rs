@@ -21,7 +21,7 @@ pub fn read_font(bytes: &[u8]) {
     files.insert(&path, bytes);
     for number in [0, 1] {
         let Ok(font) = Font::read(&files, &FontLocation::File(path.clone(), number)) else { continue };
-        for placed in font.set("AVÄﬁ~\u{f041}\u{1f600}") {
+        for placed in font.lay_out("AVÄﬁ~\u{f041}\u{1f600}") {
             font.outline(placed.glyph);
         }
         (0..20).chain([u16::MAX]).for_each(|glyph| drop(font.outline(glyph)));

@@ -52,7 +52,8 @@ const STRETCHES: &[(&str, Stretch)] =
     &[("condensed", Stretch::Condensed), ("narrow", Stretch::Condensed), ("expanded", Stretch::Expanded)];
 
 /// Returns the font of a family whose weight, style and width are nearest to the words after the family's name, from
-/// the font files `paths` and durer's own font.
+/// the font files `paths` and durer's own font; `None` if no family has the name, or if a word after the name is
+/// unknown.
 pub fn find_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<FontLocation> {
     let (mut fonts, mut places) = (Database::new(), vec![]);
     for path in paths.iter().filter(|path| files.may_read(path)) {

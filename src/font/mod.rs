@@ -20,7 +20,7 @@ use skrifa::{GlyphId, MetadataProvider};
 use std::borrow::Cow;
 use std::path::Path;
 
-/// A font file.
+/// A font: one of a file, or the built-in one.
 pub struct Font {
     /// Location of the font.
     place: FontLocation,
@@ -32,7 +32,7 @@ pub struct Font {
 pub struct PlacedGlyph {
     /// Index of the glyph in the font.
     pub glyph: u16,
-    /// Position of the glyph's origin along the line.
+    /// Position of the glyph's origin along the line, in em.
     pub x: f64,
 }
 
@@ -49,7 +49,7 @@ impl Font {
     /// Roboto (Apache-2.0).
     const OWN: &[u8] = include_bytes!("Roboto-Regular.ttf");
 
-    /// Reads a file.
+    /// Returns the font at a location: reads its file, or returns the built-in font.
     ///
     /// # Errors
     /// E0002 if it does not exist, E0003 if it can't be read, E0236 if it is not a font.
@@ -83,7 +83,7 @@ impl Font {
     /// Lays out a line of text: the left edge of the first glyph is at 0, and kerning pairs are moved together.
     /// Composite glyphs are shifted to the right by their left bearing (quirk: `text_layout`). Characters without a
     /// glyph show glyph 0.
-    pub fn set(&self, text: &str) -> Vec<PlacedGlyph> {
+    pub fn lay_out(&self, text: &str) -> Vec<PlacedGlyph> {
         let Some(face) = self.face() else { return vec![] };
         let glyphs: Vec<GlyphId> = text.chars().map(|c| face.glyph_of(c)).collect();
         let mut x = -glyphs.first().map_or(0.0, |glyph| face.left_bearing_font_units(*glyph));
@@ -97,7 +97,7 @@ impl Font {
         line
     }
 
-    /// The outline of a glyph; empty if it has none.
+    /// The outline of a glyph, in em; empty if it has none.
     pub fn outline(&self, glyph: u16) -> Outline {
         let Some(face) = self.face() else { return vec![] };
         let Some(outline) = face.font.outline_glyphs().get(GlyphId::from(glyph)) else { return vec![] };

@@ -4,20 +4,20 @@ use skrifa::raw::{FontData, FontRead, tables::kern::Kern};
 #[test]
 fn glyphs_are_placed_by_their_widths() {
     let font = Font::built_in();
-    let line = font.set("lll");
+    let line = font.lay_out("lll");
     // The left edge of the first glyph is at 0, and all are equally wide.
     let left = font.outline(line[0].glyph).iter().flatten().map(|p| p.x).reduce(f64::min).unwrap();
     assert!((line[0].x + left).abs() < 1e-12);
     assert!((line[2].x - 2.0 * line[1].x + line[0].x).abs() < 1e-12 && line[1].x > line[0].x);
     // A character without a glyph shows glyph 0.
-    assert_eq!(font.set("\u{4E2D}")[0].glyph, 0);
-    assert!(font.set("").is_empty());
+    assert_eq!(font.lay_out("\u{4E2D}")[0].glyph, 0);
+    assert!(font.lay_out("").is_empty());
 }
 
 #[test]
 fn outlines_are_closed() {
     let font = Font::built_in();
-    for set in font.set("Ög&@8Ж") {
+    for set in font.lay_out("Ög&@8Ж") {
         let outline = font.outline(set.glyph);
         assert!(!outline.is_empty());
         let mut start = outline[0][0];

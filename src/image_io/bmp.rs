@@ -112,7 +112,8 @@ fn decode_index_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     Some(out)
 }
 
-/// The fourth byte of each pixel of a bmp with 32 bits a pixel, from the top left.
+/// The fourth byte of each pixel of an uncompressed bmp with 32 bits a pixel, from the top left; `None` for any other
+/// file.
 pub(super) fn bmp_alpha(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
     if header.bits != 32 || header.compression != PLAIN {

@@ -228,7 +228,7 @@ impl<W: Write + Seek> Encoder<W> {
         Ok(())
     }
 
-    /// Ends a picture file.
+    /// Ends a picture file: writes what is not yet written.
     ///
     /// # Errors
     /// If it can't be written, or the format can't hold the picture.

@@ -72,7 +72,7 @@ impl Format {
         ROWS.iter().map(|row| row.endings[0])
     }
 
-    /// True if the picture format offers a choice of bits per channel.
+    /// True if the picture format's channels have a number of bits; Radiance HDR shares an exponent among them.
     pub fn has_depth(self) -> bool {
         !self.capabilities().depths.is_empty()
     }
@@ -111,11 +111,12 @@ impl Format {
         Diagnostic::new(codes::UNKNOWN_FORMAT, Span::NONE, message).help(help).into()
     }
 
-    /// Checks whether the picture format can hold a picture of this size with this number of bits per channel.
+    /// Checks whether the picture format can hold a picture of this size with this number of bits per channel; `None`
+    /// for the format's own number.
     ///
     /// # Errors
     /// E0008 if it can't.
-    pub fn check(self, width: usize, height: usize, bits_per_channel: Option<u8>) -> Result<()> {
+    pub fn check_limits(self, width: usize, height: usize, bits_per_channel: Option<u8>) -> Result<()> {
         let (row, name) = (self.capabilities(), self.name());
         let fault = |text: String, help: &str| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help).into();
         match bits_per_channel {
@@ -170,9 +171,11 @@ mod tests {
 
     #[test]
     fn limits_are_reported() {
-        assert!(Format::Jpg.check(70_000, 1, None).is_err());
-        assert!(Format::Jpg.check(10, 10, Some(16)).is_err());
-        assert!(Format::Exr.check(10, 10, Some(8)).is_err() && Format::Png.check(10, 10, Some(32)).is_err());
-        assert!(Format::Png.check(10, 10, Some(16)).is_ok());
+        assert!(Format::Jpg.check_limits(70_000, 1, None).is_err());
+        assert!(Format::Jpg.check_limits(10, 10, Some(16)).is_err());
+        assert!(
+            Format::Exr.check_limits(10, 10, Some(8)).is_err() && Format::Png.check_limits(10, 10, Some(32)).is_err()
+        );
+        assert!(Format::Png.check_limits(10, 10, Some(16)).is_ok());
     }
 }

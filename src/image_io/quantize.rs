@@ -53,7 +53,8 @@ fn srgb_code_lowest_light(code: u16, max: u16) -> f32 {
     transfer::srgb_decode(f64::from(half)) as f32
 }
 
-/// Returns the code of alpha and other samples without a transfer curve, before truncation; 0 for NaN.
+/// Returns the code of alpha and other samples without a transfer curve, plus a half, before truncation to an integer;
+/// NaN for NaN, which a conversion to an integer makes 0.
 fn linear_code_plus_half(x: f32, max: f32) -> f32 {
     x.clamp(0.0, 1.0) * max + 0.5
 }

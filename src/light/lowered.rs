@@ -19,7 +19,7 @@ pub struct LoweredLight {
     /// Distance at which the light has its full strength, and exponent of the fall-off beyond it; `None` for no
     /// fall-off.
     pub fade: Option<(f64, f64)>,
-    /// True if air attenuates the light (`media_attenuation`).
+    /// True if fog, rainbows and media of the whole scene attenuate the light (`media_attenuation`).
     pub attenuated: bool,
     /// True if media scatter the light; `shadowless` lights are not scattered (quirk: `scattered_lights`).
     pub scattered: bool,
@@ -40,7 +40,7 @@ pub struct LoweredLight {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
     /// Direction from the point to the light, length 1.
-    pub from: DVec3,
+    pub to_light: DVec3,
     /// Distance from the point to the light; negative behind a parallel light, which illuminates points there too
     /// (quirk: `parallel_light_behind`).
     pub distance: f64,
@@ -77,8 +77,12 @@ impl LoweredLight {
 
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
-        let (from, distance) = self.direction_and_distance(p, offset);
-        LightSample { from, distance, light: self.strength_at(distance) * self.beam_share_at(p, from, distance) }
+        let (to_light, distance) = self.direction_and_distance(p, offset);
+        LightSample {
+            to_light,
+            distance,
+            light: self.strength_at(distance) * self.beam_share_at(p, to_light, distance),
+        }
     }
 
     /// Returns the direction from the point `p` to the light at `offset` from the location, length 1, and the distance: of a
@@ -125,7 +129,8 @@ impl LoweredLight {
     }
 
     /// Returns the stretches of a ray, in order, within the beam of a spotlight or cylinder light: pairs of distances
-    /// between `from` and `to`. `None` for a light that shines in all directions.
+    /// within `range`. `None` for a light that shines in all directions, and for a spotlight whose falloff is a right
+    /// angle or more.
     pub fn beam_stretches(&self, ray: &Ray, range: [f64; 2]) -> Option<SmallVec<[[f64; 2]; 2]>> {
         match self.profile {
             Profile::Round => None,
@@ -212,16 +217,16 @@ mod tests {
         };
         let lamp = LoweredLight::new(&light);
         let arriving = lamp.sample(DVec3::new(5.0, 0.0, 0.0), DVec3::ZERO);
-        assert_eq!((arriving.from, arriving.distance), (DVec3::NEG_Z, 4.0));
+        assert_eq!((arriving.to_light, arriving.distance), (DVec3::NEG_Z, 4.0));
         assert!((arriving.light.x - 0.4).abs() < 1e-15);
         let behind = lamp.sample(DVec3::new(5.0, 0.0, -8.0), DVec3::ZERO);
-        assert_eq!((behind.from, behind.distance), (DVec3::NEG_Z, -4.0));
+        assert_eq!((behind.to_light, behind.distance), (DVec3::NEG_Z, -4.0));
     }
 
     #[test]
     fn round_light_comes_from_its_place() {
         let light = Light { location: DVec3::Y * 3.0, color: Rgb::ONE, ..Light::default() };
         let arriving = LoweredLight::new(&light).sample(DVec3::X * 4.0, DVec3::ZERO);
-        assert_eq!((arriving.from, arriving.distance), (DVec3::new(-0.8, 0.6, 0.0), 5.0));
+        assert_eq!((arriving.to_light, arriving.distance), (DVec3::new(-0.8, 0.6, 0.0), 5.0));
     }
 }

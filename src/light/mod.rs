@@ -111,7 +111,7 @@ impl Light {
         Ok(true)
     }
 
-    /// Checks a light source when its block is complete.
+    /// Checks, when the block is complete, that a `circular` area light has more than one light along each side.
     ///
     /// # Errors
     /// A diagnostic for a grid that cannot be circular.

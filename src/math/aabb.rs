@@ -91,8 +91,9 @@ impl Aabb {
         })
     }
 
-    /// Returns the values of `t` where the ray enters and leaves the box, by slabs (lecture, "Ray – AAB intersection");
-    /// where a component of the direction is zero, the origin must be between the two planes.
+    /// Returns the values of `t` between which the ray is in the box, limited to the range, by slabs (lecture, "Ray –
+    /// AAB intersection"); `None` if the ray misses the box within the range. Where a component of the direction is
+    /// zero, the origin must be between the two planes.
     pub fn slabs(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let (mut near, mut far) = (range.min, range.max);
         for axis in 0..3 {

@@ -53,9 +53,8 @@ impl Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Raises the minimum hit distance of the interval of `t`: raises `min` to `min_distance` if it is
-    /// [`tolerance::SURFACE`] or more, and to the same fraction of `min_distance` if it is less. A range that begins at
-    /// or before 0 is unchanged.
+    /// Returns the interval with a `min` of `min_distance` or more. If `min` is less than [`tolerance::SURFACE`], as in
+    /// a tiny scene, `min_distance` is reduced in the same proportion. A range that begins at or before 0 is unchanged.
     pub fn raised_to_min_distance(self, min_distance: f64) -> Range {
         let min_distance = min_distance * (self.min / tolerance::SURFACE).min(1.0);
         if self.min > 0.0 { Range { min: self.min.max(min_distance), ..self } } else { self }

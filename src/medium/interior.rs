@@ -174,7 +174,8 @@ impl Interior {
         if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos_incidence, 45.0 * self.caustics) }
     }
 
-    /// True if light that crosses the interior changes other than by refraction.
+    /// True if the interior attenuates light by distance (`fade_distance`) or brightens it (`caustics`); media do not
+    /// count.
     pub fn changes_crossing_light(&self) -> bool {
         self.fade_distance > 0.0 || self.caustics != 0.0
     }

@@ -58,13 +58,13 @@ pub struct MediaSampling {
 }
 
 impl MediaSampling {
-    /// Returns the default parameters; with `random`, those before version 3.5 (quirk: `media_defaults`).
-    pub fn new(random: bool) -> Self {
+    /// Returns the default parameters; with `random_method`, those before version 3.5 (quirk: `media_defaults`).
+    pub fn new(random_method: bool) -> Self {
         Self {
-            method: if random { SamplingMethod::Random } else { SamplingMethod::Adaptive },
-            intervals: if random { 10 } else { 1 },
-            min_samples: if random { 1 } else { 10 },
-            max_samples: if random { 1 } else { 10 },
+            method: if random_method { SamplingMethod::Random } else { SamplingMethod::Adaptive },
+            intervals: if random_method { 10 } else { 1 },
+            min_samples: if random_method { 1 } else { 10 },
+            max_samples: if random_method { 1 } else { 10 },
             confidence: 0.9,
             variance: 1.0 / 128.0,
             ratio: 0.9,

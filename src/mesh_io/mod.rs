@@ -111,8 +111,8 @@ impl MeshMaterial {
 /// Endings of the mesh files that can be read.
 pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 
-/// Reads a mesh file's bytes. The first bytes identify PLY and binary glTF; `ending`, that of the file's name, decides
-/// otherwise.
+/// Reads a mesh file's bytes; materials are dropped if no triangle has one. The first bytes identify PLY and binary
+/// glTF; `ending`, that of the file's name, decides otherwise.
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.

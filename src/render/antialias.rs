@@ -80,14 +80,15 @@ impl Method {
 
     /// Returns the edge of the blocks that the final pass computes together; `None` without blocks. A block needs all
     /// first samples of its rows and one row around.
-    pub fn tile_edge(&self) -> Option<usize> {
+    pub fn antialias_block_edge(&self) -> Option<usize> {
         matches!(self.kind, MethodKind::Adaptive(SampleLayout::Grid)).then_some(BLOCK)
     }
 
-    /// Computes the pixels of an area, row by row, from the first samples in and around the area.
-    pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, area: Region) -> Vec<Pixel> {
+    /// Computes the pixels of an area, row by row, from the first samples in and around the area. The rows are
+    /// incomplete if the render is cancelled.
+    pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelRows, area: Region) -> Vec<Pixel> {
         if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
-            return self.blocks().tile(sampler, first_samples, area).into_iter().map(without_nan).collect();
+            return self.blocks().tile_pixels(sampler, first_samples, area).into_iter().map(without_nan).collect();
         }
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
@@ -185,7 +186,8 @@ impl Difference {
         Self { threshold, gamma, is_srgb, alpha, slopes, negligible }
     }
 
-    /// True if the sum of the channels' differences, after the gamma curve, reaches the threshold.
+    /// True if the sum of the channels' differences, after the gamma curve, reaches the threshold; always true for a
+    /// threshold of 0.
     pub fn reaches_threshold(&self, a: &Pixel, b: &Pixel) -> bool {
         self.reaches_threshold_times(a, b, 1.0)
     }

@@ -121,7 +121,7 @@ impl FrameRender<'_> {
         Ok((pixels, counts))
     }
 
-    /// Renders a tile from the first samples around it.
+    /// Renders a tile of either pass; the final pass needs the first samples around the tile.
     pub(super) fn render_tile(
         &self,
         tile: &Tile,
@@ -130,7 +130,7 @@ impl FrameRender<'_> {
         let is_cancelled = || self.workers.is_cancelled();
         let mut sampler = Sampler::new(self.context, self.camera, &is_cancelled);
         let pixels = match tile.pass {
-            FINAL_PASS => self.method.tile(&mut sampler, first_samples, tile.area),
+            FINAL_PASS => self.method.tile_pixels(&mut sampler, first_samples, tile.area),
             _ => self.first_pass_tile(&mut sampler, &tile.area),
         };
         // A search that the token has ended returned any result.
@@ -148,12 +148,12 @@ impl FrameRender<'_> {
 
     /// Returns the number of rows in each group that the final pass computes together.
     fn final_rows_per_group(&self) -> usize {
-        self.method.tile_edge().unwrap_or(1)
+        self.method.antialias_block_edge().unwrap_or(1)
     }
 
     /// Returns the edge of the tiles of the final pass, in pixels.
     fn tile_edge(&self) -> usize {
-        self.method.tile_edge().unwrap_or(TILE)
+        self.method.antialias_block_edge().unwrap_or(TILE)
     }
 
     fn first_pass_tile(&self, sampler: &mut Sampler, area: &Region) -> Vec<Pixel> {

@@ -34,14 +34,14 @@ impl Blocks<'_> {
         Region { x: start[0], y: start[1], width, height }
     }
 
-    /// Takes one sample of the first pass.
+    /// Takes the sample of the first pass at (x, y), which is the pixel (x - 1, y - 1).
     pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
         sampler.begin_sample(self.pixel_key(x, y), 0);
         rgb_and_transparency(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
     }
 
     /// Computes the pixels of a part of one block.
-    pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, part: Region) -> Vec<Pixel> {
+    pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelRows, part: Region) -> Vec<Pixel> {
         let area = self.first_area(part);
         let mut current_pixels = PixelRows::new(area);
         current_pixels.add_black_rows(area.height);

@@ -150,13 +150,13 @@ pub trait Watch: Sync {
     /// Reports the number of finished work items of a pass that prepares the frame, such as the emission of photons. The
     /// first call of a pass has `done` = 0, the last one `done` = `total`.
     fn preparing(&self, _pass: &'static str, _done: usize, _total: usize) {}
-    /// True if the render must stop; the render then ends at the next surface that a ray hits.
+    /// True if the render must stop; the render asks at each sample and at every 64th surface that a ray hits.
     fn cancelled(&self) -> bool;
     /// Returns a token that stops the render inside a long search for a hit; by default the calling thread's token.
     fn cancel_token(&self) -> CancelToken {
         CancelToken::current()
     }
-    /// Returns the pixels of a tile, row by row, if an earlier run stored them.
+    /// Returns the pixels of a tile, row by row, if an earlier run stored them; `None` to render the tile.
     fn load_tile(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
         None
     }

@@ -162,7 +162,7 @@ pub(super) fn prepare<'w>(
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };
     let quality = Quality::new(options.quality);
     let mut context = FrameContext::new(world, quality, origin, options.frame, options.alpha, options.has_shafts);
-    context.photons = Photons::loaded(&context);
+    context.photons = Photons::from_scene_file(&context);
     if let Some(pass) = PhotonPass::new(&context).filter(|_| context.photons.is_none()) {
         let is_cancelled = || preparation.is_cancelled();
         let shards = preparation.run_pass("photons", pass.jobs(), |job| {

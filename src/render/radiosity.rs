@@ -45,7 +45,7 @@ pub(super) fn collect(
         run_passes(context, camera, options, settings, preparation)?;
     }
     if let Some(radiosity) = &mut context.radiosity {
-        radiosity.begin(RadiosityPass::Final);
+        radiosity.begin_pass(RadiosityPass::Final);
         if let Some(save) = &settings.saved.save {
             preparation.save_light(save, &|out| radiosity.save(digests(), out))?;
         }
@@ -90,7 +90,7 @@ fn run_pass(
     number: u64,
 ) -> Result<(), Cancelled> {
     if let Some(radiosity) = &mut context.radiosity {
-        radiosity.begin(kind);
+        radiosity.begin_pass(kind);
     }
     let n_samples = |context: &FrameContext| context.radiosity.as_ref().map_or(0, |radiosity| radiosity.n_samples());
     let is_cancelled = || preparation.is_cancelled();

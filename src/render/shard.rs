@@ -149,7 +149,7 @@ impl FrameRender<'_> {
             }
             let mut pixels = PixelRows::new(area);
             pixels.add_black_rows(area.height);
-            let edge = self.method.tile_edge().unwrap_or(EDGES[0]);
+            let edge = self.method.antialias_block_edge().unwrap_or(EDGES[0]);
             for part in tiles(&area, area.y..area.y + area.height, edge) {
                 pixels.put(part, &render(FINAL_PASS, part, &first_samples)?);
             }

@@ -188,7 +188,7 @@ impl<const FORM: usize> Algebraic<FORM> {
 
     /// Calls `stops_at` with each hit of a ray on the algebraic surface in the range, ascending, until `stops_at` returns
     /// true.
-    fn search(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(f64) -> bool) {
+    fn search_hits(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(f64) -> bool) {
         // Start from the ray's point nearest to the origin, so that a distant eye costs no digits.
         let length = ray.dir.length();
         let range = range.raised_to_min_distance(tolerance::OWN_SURFACE / length);
@@ -306,7 +306,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |t| {
+        self.search_hits(ray, range, &mut |t| {
             out.push(Hit::on_single_piece(t));
             false
         });
@@ -314,7 +314,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, &mut |t| {
+        self.search_hits(ray, range, &mut |t| {
             first = Some(Hit::on_single_piece(t));
             true
         });

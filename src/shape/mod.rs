@@ -84,13 +84,14 @@ pub trait Paints {
     /// A diagnostic at the first item that is not understood.
     fn read_embedded_texture(&mut self, number_or_0: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
-    /// Reads one embedded texture of a list, in which consecutive textures are not layers; `None` if no texture is next.
+    /// Reads one embedded texture of a list, in which consecutive textures are not layers, and returns its number;
+    /// `None` if no texture is next.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     fn read_listed_texture(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
 
-    /// Adds the texture of a material in a mesh file, with its picture if that was found.
+    /// Adds the texture of a material in a mesh file, with its picture if that was found, and returns its number.
     ///
     /// # Errors
     /// A diagnostic if the material has no equivalent.
@@ -190,7 +191,7 @@ fn check_finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
     Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number")
 }
 
-/// Returns an error if both ends of a cylinder or cone are at one point.
+/// Returns an error if both ends of a cylinder or cone are at one point, or nearly so.
 fn check_frustum_ends(span: Span, base: DVec3, cap: DVec3) -> Result<()> {
     let axis = cap - base;
     // The squared length is a divisor later, so it must be a normal number.

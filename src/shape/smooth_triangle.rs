@@ -94,7 +94,7 @@ impl Kernel for SmoothTriangle {
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        let hit = self.flat.intersect(ray).filter(|hit| range.contains(hit.t))?;
+        let hit = self.flat.intersect_line(ray).filter(|hit| range.contains(hit.t))?;
         (!self.is_twisted()).then_some(hit)
     }
 

@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 pub struct Sphere {
     /// Centre of the ball.
     pub center: DVec3,
-    /// Radius of the ball, positive.
+    /// Radius of the ball, not negative; a ball of radius 0 has no surface.
     pub radius: f64,
 }
 

@@ -168,9 +168,9 @@ impl Superellipsoid {
         Some(s)
     }
 
-    /// Calls `stops_at` with the roots on a superellipsoid between two points within one octant, ascending, if they are
-    /// in the range. Returns true if `stops_at` did. Pieces do not depend on the range, so neither do the last digits
-    /// of roots.
+    /// Calls `stops_at` with the roots on a superellipsoid between two points within one octant, ascending; pieces
+    /// outside of the range are left out, but roots outside of it can be among them. Returns true if `stops_at` did.
+    /// Pieces do not depend on the range, so neither do the last digits of roots.
     fn any_root_in_octant(
         &self,
         line: &Line,
@@ -293,7 +293,7 @@ impl Superellipsoid {
     }
 
     /// Calls `stops_at` with each hit on the superellipsoid in the range, ascending, until it returns true.
-    fn search(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(f64) -> bool) {
+    fn search_hits(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(f64) -> bool) {
         let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
         if near >= range.max || far <= range.min {
             return;
@@ -374,7 +374,7 @@ impl Kernel for Superellipsoid {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |t| {
+        self.search_hits(ray, range, &mut |t| {
             out.push(Hit::on_single_piece(t));
             false
         });
@@ -382,7 +382,7 @@ impl Kernel for Superellipsoid {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, &mut |t| {
+        self.search_hits(ray, range, &mut |t| {
             first = Some(Hit::on_single_piece(t));
             true
         });

@@ -173,7 +173,7 @@ impl Readable for Text {
         let mut text = Self { font: name, file, string, depth, letters: vec![], tilt, bounds: Aabb::EMPTY };
         let mut known = FxHashMap::default();
         let mut first = 0;
-        for (i, set) in font.set(&text.string).into_iter().enumerate() {
+        for (i, set) in font.lay_out(&text.string).into_iter().enumerate() {
             let outline = || Arc::new(Glyph::new(font.outline(set.glyph)));
             let shape = known.entry(set.glyph).or_insert_with(outline).clone();
             if !shape.curves.is_empty() {

@@ -40,9 +40,10 @@ impl Triangle {
         self.face_normal().length() <= f64::EPSILON * ab.length() * ac.length()
     }
 
-    /// Intersects a ray with the triangle's plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection
-    /// I"): Cramer's rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), in the order of Möller and Trumbore (1997).
-    pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
+    /// Returns the hit of the ray's line, at any `t`, on the triangle a + u·(b - a) + v·(c - a), `None` for a miss
+    /// (lecture, "Ray and triangle intersection I"): Cramer's rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), in the
+    /// order of Möller and Trumbore (1997).
+    pub fn intersect_line(&self, ray: &Ray) -> Option<Hit> {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
         let p = ray.dir.cross(ac);
         let det = ab.dot(p);
@@ -129,7 +130,7 @@ impl Kernel for Triangle {
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.intersect(ray).filter(|hit| range.contains(hit.t))
+        self.intersect_line(ray).filter(|hit| range.contains(hit.t))
     }
 
     fn inside(&self, _: DVec3) -> bool {
@@ -173,12 +174,12 @@ mod tests {
     #[test]
     fn spanning_version() {
         let ray = Ray::new(DVec3::new(0.25, 0.5, -3.0), DVec3::Z * 2.0);
-        let hit = corner().intersect(&ray).unwrap();
+        let hit = corner().intersect_line(&ray).unwrap();
         assert_eq!((hit.t, hit.uv), (1.5, DVec2::new(0.25, 0.5)));
         for (x, y) in [(-0.01, 0.5), (0.5, -0.01), (0.51, 0.5)] {
-            assert_eq!(corner().intersect(&Ray::new(DVec3::new(x, y, -3.0), DVec3::Z)), None);
+            assert_eq!(corner().intersect_line(&Ray::new(DVec3::new(x, y, -3.0), DVec3::Z)), None);
         }
-        assert_eq!(corner().intersect(&Ray::new(DVec3::new(-1.0, 0.25, 0.0), DVec3::X)), None, "in its plane");
+        assert_eq!(corner().intersect_line(&Ray::new(DVec3::new(-1.0, 0.25, 0.0), DVec3::X)), None, "in its plane");
     }
 
     #[test]
@@ -220,7 +221,7 @@ mod tests {
         assert!(read_shape::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
         let line = Triangle::new(DVec3::ZERO, DVec3::X, DVec3::X * 2.0);
         assert!(line.bounds().is_empty());
-        assert_eq!(line.intersect(&Ray::new(DVec3::new(0.5, 0.0, -1.0), DVec3::Z)), None);
+        assert_eq!(line.intersect_line(&Ray::new(DVec3::new(0.5, 0.0, -1.0), DVec3::Z)), None);
         assert_eq!(corner().face_normal(), -DVec3::Z, "as POV-Ray's trace() has it");
     }
 
@@ -236,7 +237,7 @@ mod tests {
             let l = t.barycentric(at);
             prop_assert!(l.distance(DVec3::new(1.0 - w[0] - w[1], w[0], w[1])) < 1e-9);
             prop_assume!(l.abs().min_element() > 1e-6);
-            let hit = t.intersect(&ray);
+            let hit = t.intersect_line(&ray);
             prop_assert_eq!(hit.is_some(), l.min_element() >= 0.0);
             if let Some(hit) = hit {
                 prop_assert!((hit.t - 1.0).abs() < 1e-9 && hit.uv.distance(DVec2::new(l.y, l.z)) < 1e-9);

@@ -70,7 +70,8 @@ impl LightGridPiece {
         (0..2).map(|i| (self.high[i] - self.low[i] + 1) as usize).product()
     }
 
-    /// Divides the piece in halves along each side with more than one light, so that each light is in one part.
+    /// Divides the piece in halves along each side with more than one light, so that each light is in one part; `None`
+    /// takes the place of a part without lights.
     fn parts(&self) -> [Option<LightGridPiece>; 4] {
         let Self { low, high } = *self;
         let ends = |i: usize| {
@@ -86,8 +87,8 @@ impl LightGridPiece {
 }
 
 impl GridVisibility<'_> {
-    /// Stores the visibility of each light of a piece, in a grid whose visibilities are in an array.
-    fn store(&mut self, piece: LightGridPiece, visibility: Rgb) {
+    /// Stores `visibility` for each light of a piece; without effect unless the grid's visibilities are in an array.
+    fn store_if_array(&mut self, piece: LightGridPiece, visibility: Rgb) {
         let width = self.area.size[0] as usize;
         let [first, last] = [piece.low[0], piece.high[0]].map(|column| column as usize);
         if let Known::Array(all) = &mut self.known {
@@ -118,7 +119,7 @@ impl Tracer<'_> {
             area,
             point,
             center,
-            sides: area.sides(-center.from),
+            sides: area.sides(-center.to_light),
             inside,
             random: self.random.sequence(Purpose::AreaLight),
             settle_level: area.adaptive,
@@ -143,7 +144,7 @@ impl Tracer<'_> {
         for (end, visibility) in ends {
             visibility
                 .into_iter()
-                .for_each(|visibility| grid.store(LightGridPiece { low: end, high: end }, visibility));
+                .for_each(|visibility| grid.store_if_array(LightGridPiece { low: end, high: end }, visibility));
         }
         if is_stored {
             if has_shafts {
@@ -170,7 +171,8 @@ impl Tracer<'_> {
             && !self.last_occluder_surrounds(light, point)
     }
 
-    /// True if the object that the last shaft to the light may hit is an object that every shaft from the point may hit.
+    /// True if the object that made the last shaft to the light fail makes every shaft from the point fail, too,
+    /// because the point is in its box.
     fn last_occluder_surrounds(&self, light: &LightSource, point: DVec3) -> bool {
         self.shaft_occluders[light.number].is_some_and(|last| last.surrounds(point))
     }
@@ -179,7 +181,7 @@ impl Tracer<'_> {
     /// point to the lights.
     fn is_piece_unoccluded(&mut self, grid: &GridVisibility, piece: LightGridPiece) -> bool {
         let world = self.context.world;
-        let hull = grid.area.offset_parallelogram(piece.low, piece.high, -grid.center.from);
+        let hull = grid.area.offset_parallelogram(piece.low, piece.high, -grid.center.to_light);
         let corners = hull.map(|offset| grid.light.emitter.location + offset);
         let casts_shadow = |id: u32| world.objects[id as usize].shadow;
         let last = &mut self.shaft_occluders[grid.light.number];
@@ -187,7 +189,8 @@ impl Tracer<'_> {
             .is_some_and(|shaft| world.geometry.is_shaft_clear(&shaft, world.epsilon.shadow, casts_shadow, last))
     }
 
-    /// Stores the visibilities of all lights in the clear parts of a piece that is not clear.
+    /// Divides a piece that failed the shaft test, and stores full visibility for the lights of each part that passes
+    /// it. Parts of few lights are not tested.
     fn store_unoccluded_parts(&mut self, grid: &mut GridVisibility, piece: LightGridPiece) {
         if piece.count() <= MIN_PART {
             return;
@@ -195,7 +198,7 @@ impl Tracer<'_> {
         for part in piece.parts().into_iter().flatten().filter(|part| part.count() >= MIN_PART) {
             let is_lit = [part.low, part.high].iter().all(|end| self.cell_visibility(grid, *end) == Rgb::ONE);
             match is_lit && self.is_piece_unoccluded(grid, part) {
-                true => grid.store(part, Rgb::ONE),
+                true => grid.store_if_array(part, Rgb::ONE),
                 false => self.store_unoccluded_parts(grid, part),
             }
         }
@@ -208,7 +211,7 @@ impl Tracer<'_> {
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
         let is_settled = grid.settle_level.is_some_and(|least| halvings_done >= least)
             && differs_too_little_to_split(&corners, grid.center.light);
-        if is_single || is_settled || self.is_stopped_at_next_surface() {
+        if is_single || is_settled || self.count_surface_and_is_stopped() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
         if grid.has_shafts
@@ -257,11 +260,12 @@ impl Tracer<'_> {
     fn trace_cell_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
         let offset = jittered_offset(grid.area, cell, &grid.sides, grid.random);
         let (from, distance) = grid.light.emitter.direction_and_distance(grid.point, offset);
-        self.point_visibility(grid.light, Ray::new(grid.point, from), distance, grid.inside)
+        self.visibility_along_ray(grid.light, Ray::new(grid.point, from), distance, grid.inside)
     }
 }
 
-/// Returns the offset of a light of the grid from the grid's centre, with jitter; `sides` are the sides of the grid.
+/// Returns the offset of a light of the grid from the grid's centre, with jitter if the area light has it; `sides` are
+/// the sides of the grid.
 #[inline]
 pub(super) fn jittered_offset(area: &Area, cell: [u32; 2], sides: &[DVec3; 2], random: RandomSequence) -> DVec3 {
     let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));

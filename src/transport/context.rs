@@ -17,11 +17,11 @@ pub struct Quality {
     pub area_lights: bool,
     /// True from level 6 on: pigments in place of `quick_color`, and transparency.
     pub pigments: bool,
-    /// True from level 8 on: reflection and bumped normals.
+    /// True from level 8 on: reflection, bumped normals and photons.
     pub reflection: bool,
-    /// True from level 9 on: fog and rainbows.
+    /// True from level 9 on: fog, rainbows, media and radiosity.
     pub atmosphere: bool,
-    /// True from level 9 on, if the scene switches it on: subsurface light transport.
+    /// True from level 9 on: subsurface light transport. [`FrameContext::new`] clears it for a scene without.
     pub subsurface: bool,
 }
 
@@ -108,15 +108,16 @@ impl<'w> FrameContext<'w> {
         }
     }
 
-    /// True if all light comes from light sources, and the quality level shows lights, pigments and reflection.
+    /// True without radiosity, photons and subsurface light transport, at a quality level that shows lights, pigments
+    /// and reflection.
     pub(super) fn has_only_source_light(&self) -> bool {
         let quality = &self.quality;
         let is_shown = quality.lights && quality.pigments && quality.reflection;
         is_shown && !quality.subsurface && self.radiosity.is_none() && self.photons.is_none()
     }
 
-    /// Returns the interiors that contain the origin of a camera ray.
-    pub(super) fn interiors_at(&self, origin: DVec3) -> Interiors {
+    /// Returns the interiors that contain the origin of a camera ray; none unless rays keep a list of interiors.
+    pub(super) fn interiors_of_camera_ray(&self, origin: DVec3) -> Interiors {
         match self.camera.origin {
             None if self.tracks_interiors => interiors_around(self.world, origin),
             _ => copy_interiors(&self.camera_interiors),
@@ -127,7 +128,7 @@ impl<'w> FrameContext<'w> {
 /// Returns the interiors of all objects that contain a point, in the order of their numbers.
 pub(super) fn interiors_around(world: &World, p: DVec3) -> Interiors {
     let mut inside = Interiors::new();
-    world.geometry.containing_camera(p, &mut |solid| {
+    world.geometry.visit_containing_camera(p, &mut |solid| {
         let interior = world.objects[solid.object() as usize].interior;
         inside.extend((interior != ObjectInfo::VIEW).then_some(interior));
     });

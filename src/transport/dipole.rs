@@ -23,7 +23,7 @@ pub(super) struct Dipole {
 impl Dipole {
     /// Creates the dipole of a material that reflects the share `reflectance` of uniform light. `scattering_length` is
     /// 1/σ_s', in world units, and `mismatch` the value of [`boundary_mismatch`]. `None` for a material that sends no light
-    /// back: the reflectance has to be more than 0 and at most 1, and the length positive.
+    /// back: the reflectance has to be more than 0 and at most 1, and the length positive and finite.
     pub fn new(reflectance: f64, scattering_length: f64, mismatch: f64) -> Option<Self> {
         let is_valid = reflectance > 0.0 && reflectance <= 1.0 && scattering_length > 0.0;
         if !is_valid || !scattering_length.is_finite() {

@@ -46,12 +46,14 @@ struct Source<'a> {
 
 impl<'w> Tracer<'w> {
     /// Returns the radiance that a surface sends along the ray by its own emission and by diffuse and specular
-    /// reflection of light sources, without `reflection` and transmission.
+    /// reflection of light sources and photons, and by subsurface light transport; without `reflection`, radiosity and
+    /// transmission. At a quality level without lights, it is the colour of the pigments.
     pub(super) fn emitted_and_direct_light(&mut self, state: &RayState, shading: &ShadingPoint<'w>) -> Rgb {
         if !self.context.quality.lights {
             return shading.weighted_layer_sum(|shaded| shaded.weight * shaded.color.rgb);
         }
-        let mut sum = shading.weighted_layer_sum(|shaded| shaded.weight * emitted(shaded, self.context.has_ambient));
+        let mut sum =
+            shading.weighted_layer_sum(|shaded| shaded.weight * emitted_light(shaded, self.context.has_ambient));
         self.add_light_of_sources(state, shading, &mut sum);
         if self.context.quality.subsurface {
             sum += self.subsurface_light(state, shading);
@@ -74,11 +76,11 @@ impl<'w> Tracer<'w> {
     /// Returns the radiance that one light source causes by diffuse and specular reflection.
     fn reflected_light(&mut self, light: &LightSource, state: &RayState, surface: &impl LitSurface<'w>) -> Rgb {
         let center = light.emitter.sample(surface.point(), DVec3::ZERO);
-        let source = Source { light, center: center.from };
+        let source = Source { light, center: center.to_light };
         let visibility =
             |tracer: &mut Self| tracer.visibility(light, surface.point(), &center, &state.inside, state.bounces);
         let Some(area) = self.light_grid(light, state.bounces).filter(|area| area.illumination) else {
-            return self.reflected_sample(&center, source, state, surface, visibility);
+            return self.reflected_light_of_sample(&center, source, state, surface, visibility);
         };
         // `area_illumination`: each light of the grid illuminates, with the shadow of the whole grid (quirk: `area_illumination_shadow`)
         let visibility = visibility(self);
@@ -88,21 +90,21 @@ impl<'w> Tracer<'w> {
         let [columns, rows] = area.size.map(indices_of_sampled_lights);
         let mut sum = Rgb::ZERO;
         let random = self.random.sequence(Purpose::AreaLight);
-        let sides = area.sides(-center.from);
+        let sides = area.sides(-center.to_light);
         for cell in rows.clone().flat_map(|j| columns.clone().map(move |i| [i, j])) {
-            if self.is_stopped_at_next_surface() {
+            if self.count_surface_and_is_stopped() {
                 break;
             }
             let offset = jittered_offset(area, cell, &sides, random);
             let sample = light.emitter.sample(surface.point(), offset);
-            sum += self.reflected_sample(&sample, source, state, surface, |_| visibility);
+            sum += self.reflected_light_of_sample(&sample, source, state, surface, |_| visibility);
         }
         sum / (columns.len() * rows.len()) as f64
     }
 
     /// Returns the radiance of the light from one direction that a surface reflects along the ray, diffusely and as
     /// highlights. `visibility` is called only if any of this light is reflected.
-    fn reflected_sample(
+    fn reflected_light_of_sample(
         &mut self,
         sample: &LightSample,
         Source { light, center }: Source,
@@ -110,7 +112,7 @@ impl<'w> Tracer<'w> {
         surface: &impl LitSurface<'w>,
         visibility: impl FnOnce(&mut Self) -> Rgb,
     ) -> Rgb {
-        let l = sample.from;
+        let l = sample.to_light;
         let dir = state.ray.dir;
         // quirk: radiosity_without_highlights
         let has_highlights = state.bounces == 0;
@@ -129,10 +131,10 @@ impl<'w> Tracer<'w> {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
             let crand = shaded.layer.finish.crand;
             let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
-            let mut reflected = diffuse(shaded, &at, grain, both_sides);
+            let mut reflected = diffuse_factor(shaded, &at, grain, both_sides);
             // quirk: double_illuminate_highlights
             if (at.cos > 0.0 || both_sides) && has_highlights && !light.emitter.shadowless {
-                reflected += highlight(shaded, &at);
+                reflected += highlight_factor(shaded, &at);
             }
             reflected *= film_factor(surface.point(), shaded, center, self.context.world);
             shaded.weight * reflected
@@ -156,26 +158,28 @@ fn indices_of_sampled_lights(lights_on_side: u32) -> impl ExactSizeIterator<Item
         .map(move |i| ((2 * u64::from(i) + 1) * u64::from(lights_on_side) / (2 * u64::from(n_samples))) as u32)
 }
 
-/// True if any layer reflects light from a direction.
-fn reflects_light<'w>(surface: &impl LitSurface<'w>, from: DVec3, both_sides: bool) -> bool {
+/// True if any layer reflects light from a direction diffusely or as a highlight.
+fn reflects_light<'w>(surface: &impl LitSurface<'w>, to_light: DVec3, both_sides: bool) -> bool {
     surface.any_layer(|shaded| {
         let finish = &shaded.layer.finish;
-        match both_sides || shaded.normal.dot(from) > 0.0 {
+        match both_sides || shaded.normal.dot(to_light) > 0.0 {
             true => finish.diffuse != 0.0 || finish.phong.strength != 0.0 || finish.specular.strength != 0.0,
             false => finish.diffuse_back != 0.0,
         }
     })
 }
 
-/// Returns the light of `ambient` and `emission`.
-pub(super) fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
+/// Returns the light that a layer emits: that of `emission`, and if `has_ambient` that of `ambient`. Layers above are
+/// not considered.
+pub(super) fn emitted_light(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
     let finish = &shaded.layer.finish;
     shaded.color.rgb * shaded.opacity * (if has_ambient { finish.ambient + finish.emission } else { finish.emission })
 }
 
-/// Returns the diffusely reflected light: `diffuse`, `brilliance`, `crand`.
+/// Returns the share of incident light that a layer reflects diffusely: `diffuse`, `brilliance`, `crand`. `grain` is
+/// subtracted; `both_sides` treats light from behind as light from the front.
 #[inline]
-pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
+pub(super) fn diffuse_factor(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
     let layer = shaded.layer;
     let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
     if amount == 0.0 || shaded.is_translucent {
@@ -185,9 +189,10 @@ pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sid
     shaded.color.rgb * (shaded.opacity * amount * fp::power(at.cos.abs(), layer.finish.brilliance) - grain)
 }
 
-/// Returns the highlights: `phong` and `specular`, tinted by `metallic`.
+/// Returns the share of incident light that a layer reflects as highlights: `phong` and `specular`, tinted by
+/// `metallic`.
 #[inline]
-pub(super) fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
+pub(super) fn highlight_factor(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
     let layer = shaded.layer;
     let mut amount = 0.0;
     if layer.finish.phong.strength != 0.0 {
@@ -210,8 +215,8 @@ fn lobe_strength(lobe: &Lobe, cos: f64) -> f64 {
     if cos <= 0.0 { 0.0 } else { lobe.strength * fp::power(cos, lobe.exponent) }
 }
 
-/// Returns the tint of light that metal reflects: the pigment's colour, but white at a grazing angle, by F of Strauss,
-/// A realistic lighting model for computer animators, 1990.
+/// Returns the tint of light that a layer reflects: white without `metallic`, else the pigment's colour, but white at a
+/// grazing angle, by F of Strauss, A realistic lighting model for computer animators, 1990.
 pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
     if metallic == 0.0 {
         return Rgb::ONE;

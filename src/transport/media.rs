@@ -68,7 +68,7 @@ impl PointSample {
     }
 
     /// Returns the absolute difference between the light of two points in media, summed over the channels.
-    fn difference(&self, other: &Self) -> f64 {
+    fn light_difference(&self, other: &Self) -> f64 {
         (self.light - other.light).abs().element_sum()
     }
 }
@@ -118,7 +118,7 @@ struct MediumOnRay<'w> {
 
 impl MediumOnRay<'_> {
     /// True if the medium's density is 0 between two distances.
-    fn is_empty(&self, [from, to]: [f64; 2]) -> bool {
+    fn is_empty_between(&self, [from, to]: [f64; 2]) -> bool {
         to < self.extent[0] || from > self.extent[1]
     }
 }
@@ -137,7 +137,8 @@ struct Interval<'a, 'w> {
 type BeamList<'w> = SmallVec<[BeamOnRay<'w>; 2]>;
 
 impl<'w> Tracer<'w> {
-    /// Returns the light that media add along a stretch of a ray, and their transmittance.
+    /// Returns the light that media add along a stretch of a ray, and their transmittance; for a shadow ray, the
+    /// transmittance alone.
     pub(super) fn media_segment(&mut self, stretch: &MediaStretch<'_, 'w>) -> Segment {
         if stretch.context.is_shadow && stretch.media.iter().all(|medium| medium.extinction == Rgb::ZERO) {
             return Segment::NONE;
@@ -152,7 +153,7 @@ impl<'w> Tracer<'w> {
         for medium in stretch.media {
             media.push(MediumOnRay { medium, extent: medium.extent_on_ray(stretch.ray) });
         }
-        if media.iter().all(|medium| medium.is_empty(stretch.range)) {
+        if media.iter().all(|medium| medium.is_empty_between(stretch.range)) {
             return Segment::NONE;
         }
         let sampling = stretch.sampling();
@@ -162,7 +163,7 @@ impl<'w> Tracer<'w> {
         let random = self.random.sequence(Purpose::Media);
         let mut sum = Accumulated::default();
         for (number, range) in (0..).zip(media_intervals(stretch, &beams, &sampling)) {
-            if media.iter().all(|medium| medium.is_empty(range)) {
+            if media.iter().all(|medium| medium.is_empty_between(range)) {
                 continue;
             }
             let mut lights = SmallVec::<[&BeamOnRay; 4]>::new();
@@ -221,7 +222,7 @@ impl<'w> Tracer<'w> {
         let rule = (least < most).then(|| StoppingRule::new(sampling, length));
         for i in 0..most {
             let is_certain = i >= least && rule.as_ref().is_none_or(|rule| rule.is_certain(&mean));
-            if is_certain || self.is_stopped_at_next_surface() {
+            if is_certain || self.count_surface_and_is_stopped() {
                 break;
             }
             let share = match sampling.method {
@@ -277,7 +278,7 @@ impl<'w> Tracer<'w> {
         let middle = (at, self.point_sample(interval, at));
         let is_last = halvings_done >= halving.max_level || self.is_stopped();
         let mut half = |outer: &(f64, PointSample)| {
-            if is_last || outer.1.difference(&middle.1) <= halving.max_difference {
+            if is_last || outer.1.light_difference(&middle.1) <= halving.max_difference {
                 return PointSample::weighted_sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
             }
             self.mean_between(interval, halving, outer, &middle, halvings_done + 1)
@@ -288,7 +289,7 @@ impl<'w> Tracer<'w> {
 
     /// Returns the properties of all media at a distance along the ray.
     fn point_sample(&mut self, interval: &Interval<'_, 'w>, t: f64) -> PointSample {
-        self.is_stopped_at_next_surface();
+        self.count_surface_and_is_stopped();
         let (world, stretch) = (self.context.world, interval.stretch);
         let p = stretch.ray.at(t);
         let mut sum = PointSample::default();
@@ -296,7 +297,7 @@ impl<'w> Tracer<'w> {
         let mut phased = None;
         for part in interval.media {
             let medium = part.medium;
-            if part.is_empty([t, t]) || (stretch.context.is_shadow && medium.extinction == Rgb::ZERO) {
+            if part.is_empty_between([t, t]) || (stretch.context.is_shadow && medium.extinction == Rgb::ZERO) {
                 continue;
             }
             let density = medium.density_at(p, stretch.ray.dir, world.noise, world.waves);
@@ -307,7 +308,7 @@ impl<'w> Tracer<'w> {
             if !stretch.context.is_shadow {
                 sum.light += density * medium.emission;
                 if medium.scattering.color != Rgb::ZERO {
-                    let phased = *phased.get_or_insert_with(|| self.phased_light(interval, t));
+                    let phased = *phased.get_or_insert_with(|| self.light_times_phase(interval, t));
                     sum.light += density * medium.scattering.color * phased;
                 }
             }
@@ -316,11 +317,11 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the light that arrives at the distance `t` along the ray, times the phase function towards the eye.
-    fn phased_light(&mut self, interval: &Interval<'_, 'w>, t: f64) -> Rgb {
+    fn light_times_phase(&mut self, interval: &Interval<'_, 'w>, t: f64) -> Rgb {
         let stretch = interval.stretch;
         let p = stretch.ray.at(t);
         let lights = interval.lights.iter().filter(|beam| beam.shines_at(t));
-        let mut sum: Rgb = lights.map(|beam| self.phased_light_of(stretch, beam.light, p)).sum();
+        let mut sum: Rgb = lights.map(|beam| self.light_times_phase_of(stretch, beam.light, p)).sum();
         if self.context.photons.is_some() && stretch.media.iter().any(|medium| medium.collects_photons) {
             let phase = |cos| stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum::<f64>();
             sum += self.photon_fluence(p, stretch.ray.dir, phase) / stretch.media.len() as f64;
@@ -329,18 +330,18 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the light that arrives at a point from one source, times the phase function towards the eye.
-    fn phased_light_of(&mut self, stretch: &MediaStretch<'_, 'w>, light: &'w LightSource, p: DVec3) -> Rgb {
+    fn light_times_phase_of(&mut self, stretch: &MediaStretch<'_, 'w>, light: &'w LightSource, p: DVec3) -> Rgb {
         let mut sample = light.emitter.sample(p, DVec3::ZERO);
         // quirk: area_illumination_in_media
         let SegmentContext { inside, bounces, .. } = *stretch.context;
         if self.light_grid(light, bounces).is_some_and(|area| area.illumination) {
             sample.light = light.emitter.color;
         }
-        if sample.light == Rgb::ZERO || !sample.from.is_finite() {
+        if sample.light == Rgb::ZERO || !sample.to_light.is_finite() {
             return Rgb::ZERO;
         }
         // quirk: phase_of_several
-        let cos = stretch.ray.dir.dot(sample.from);
+        let cos = stretch.ray.dir.dot(sample.to_light);
         let phases: f64 = stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum();
         let visibility = self.visibility(light, p, &sample, inside, bounces);
         phases / stretch.media.len() as f64 * sample.light * visibility
@@ -395,8 +396,8 @@ impl RunningMean {
 
 /// Rule by which methods 1 and 2 stop between the minimum and the maximum number of samples (quirk: `media_confidence`).
 struct StoppingRule {
-    /// Maximum variance of the mean, per squared world unit, times the chi-square quantile for the maximum number of
-    /// samples.
+    /// Maximum variance of the mean, per squared world unit, divided by the chi-square quantile for the maximum number
+    /// of samples.
     scaled_variance: f64,
     /// Quantile of the standard normal distribution for 1 - `confidence`.
     normal_quantile: f64,

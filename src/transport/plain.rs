@@ -1,7 +1,7 @@
 //! Plain surfaces, which most rays hit: one opaque layer, lit by light sources alone. Their light is computed
 //! without lists of materials and layers; it is the same, bit by bit, as that by way of [`super::shading_point::ShadingPoint`].
 
-use super::direct_light::{LitSurface, emitted};
+use super::direct_light::{LitSurface, emitted_light};
 use super::radiance::Radiance;
 use super::ray_state::RayState;
 use super::reflect::{Mirror, MirrorContext, reflected_radiance};
@@ -23,8 +23,9 @@ pub(super) struct PlainPoint<'w> {
 }
 
 impl<'w> PlainPoint<'w> {
-    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part. `None` if the surface transmits light
-    /// at the point all the same: an opaque `image_map` has no colour at the origin that it is wrapped around.
+    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part. `None` if the surface
+    /// transmits light at this point although its material counts as opaque: an `image_map` that is wrapped around the
+    /// origin or the y axis has no colour there.
     #[inline(always)]
     pub fn new(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Option<Self> {
         let surface = found.surface(ray);
@@ -75,7 +76,7 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
 impl<'w> Tracer<'w> {
     /// Adds the light that a point of a plain surface sends along the ray to `sum`.
     pub(super) fn add_plain_light(&mut self, state: &RayState, at: &PlainPoint<'w>, sum: &mut Radiance) {
-        let mut light = at.shaded.weight * emitted(&at.shaded, self.context.has_ambient);
+        let mut light = at.shaded.weight * emitted_light(&at.shaded, self.context.has_ambient);
         self.add_light_of_sources(state, at, &mut light);
         sum.rgb += state.throughput * light;
     }

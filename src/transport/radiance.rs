@@ -30,10 +30,10 @@ impl Radiance {
 }
 
 impl<'w> Tracer<'w> {
-    /// Returns the radiance along a camera ray of length 1.
+    /// Returns the radiance along a camera ray, whose direction has length 1.
     pub fn camera_radiance(&mut self, ray: Ray) -> Radiance {
         self.counts.camera += 1;
-        let inside = self.context.interiors_at(ray.origin);
+        let inside = self.context.interiors_of_camera_ray(ray.origin);
         self.radiance_times_throughput(RayState::camera(ray, inside))
     }
 
@@ -43,7 +43,7 @@ impl<'w> Tracer<'w> {
         let mut sum = Radiance::ZERO;
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();
-        while !self.is_stopped_at_next_surface() {
+        while !self.count_surface_and_is_stopped() {
             if state.n_surfaces < MAX_SURFACES && self.trace_and_continues(&mut state, &mut sum) {
                 continue;
             }
@@ -63,7 +63,7 @@ impl<'w> Tracer<'w> {
     fn trace_and_continues(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
-            let air = match self.meets_fog_or_media(state) {
+            let air = match self.may_cross_fog_or_media(state) {
                 true => self.endless_segment(state),
                 false => Segment::NONE,
             };
@@ -75,11 +75,11 @@ impl<'w> Tracer<'w> {
         // Air between the origin and the hit
         let part = &self.context.world.parts[hit.part_number() as usize];
         if let Some(rank) = state.gather_rank
-            && !self.gather_ray_survives(state, rank, &hit)
+            && !self.apply_importance_and_survives(state, rank, &hit)
         {
             return false;
         }
-        if self.meets_fog_or_media(state) {
+        if self.may_cross_fog_or_media(state) {
             let air = self.segment(state, &Span::from_origin(hit.t()), part.light_set());
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
@@ -94,7 +94,7 @@ impl<'w> Tracer<'w> {
             return self.reflect_at_plain_point(state, &hit, &at);
         }
         let interface = self.interface(state, &hit);
-        if part.uncommon.is_none() && material.is_clear && self.passes_clear_surface(state, &hit, &interface) {
+        if part.uncommon.is_none() && material.is_clear && self.try_pass_clear_surface(state, &hit, &interface) {
             return true;
         }
         // Light that the surface itself sends
@@ -121,7 +121,7 @@ impl<'w> Tracer<'w> {
     /// if the ray may change its direction or end there, or if the scene has radiosity; [`Self::scatter`] then handles
     /// the hit.
     #[inline(never)]
-    fn passes_clear_surface(&mut self, state: &mut RayState, hit: &Intersection, interface: &Interface) -> bool {
+    fn try_pass_clear_surface(&mut self, state: &mut RayState, hit: &Intersection, interface: &Interface) -> bool {
         let (world, quality) = (self.context.world, &self.context.quality);
         let is_plain = quality.lights && quality.pigments && self.context.radiosity.is_none() && !world.disperses;
         let goes_on = state.level < self.max_trace_level && state.weight.min(gray(Rgb::ONE)) > self.adc_bailout;
@@ -146,10 +146,10 @@ impl<'w> Tracer<'w> {
     }
 
     /// Stores the distance of the first hit of a ray that gathers light, and divides the ray's throughput by the
-    /// object's `importance`. False if the ray ends there: only the share `importance` of the rays to an object is
-    /// traced on.
+    /// object's `importance`. True if the ray is traced on, false if it ends there: only the share `importance` of the
+    /// rays to an object is traced on.
     #[inline(never)]
-    fn gather_ray_survives(&mut self, state: &mut RayState, rank: f64, hit: &Intersection) -> bool {
+    fn apply_importance_and_survives(&mut self, state: &mut RayState, rank: f64, hit: &Intersection) -> bool {
         self.first_distance = hit.t();
         let importance = self.context.world.parts[hit.part_number() as usize].importance();
         state.throughput /= importance;
@@ -170,14 +170,14 @@ impl<'w> Tracer<'w> {
         world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
     }
 
-    /// True if the ray may meet fog or media, and they count along the ray (`radiosity { media }`).
-    fn meets_fog_or_media(&self, state: &RayState) -> bool {
+    /// True if fog, rainbows or media may be along the ray, and they count for this ray (`radiosity { media }`).
+    fn may_cross_fog_or_media(&self, state: &RayState) -> bool {
         let counts =
             || state.bounces == 0 || self.context.world.radiosity.as_ref().is_some_and(|settings| settings.media);
         (self.has_air() || self.has_media() && !state.inside.is_empty()) && counts()
     }
 
-    /// Returns the optical boundary at a hit.
+    /// Returns the optical boundary at a hit; [`Interface::NONE`] unless rays keep a list of interiors.
     pub(super) fn interface(&self, state: &RayState, hit: &Intersection) -> Interface {
         if !self.context.tracks_interiors {
             return Interface::NONE;
@@ -191,7 +191,8 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// Returns the light of sky and background in a ray's direction.
+    /// Returns the light of sky and background in a ray's direction, and as transmittance what stays transparent in a
+    /// picture with alpha.
     fn background(&self, state: &RayState) -> Segment {
         let (world, keeps_alpha) = (self.context.world, self.context.keeps_alpha);
         if keeps_alpha && !state.is_reflected && world.sky.is_transparent_in_alpha_pictures() {

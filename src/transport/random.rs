@@ -31,7 +31,7 @@ pub struct Random {
     frame: u64,
     pixel: u64,
     sample: u64,
-    /// Number of surfaces that the sample's rays have hit.
+    /// Number of ray segments that the sample has traced.
     vertex: u64,
     /// Number of draws at the present vertex, by purpose.
     draws: [u64; PURPOSES],
@@ -53,12 +53,12 @@ impl Random {
         (self.vertex, self.draws) = (self.vertex + 1, [0; PURPOSES]);
     }
 
-    /// Returns a number in [0, 1).
+    /// Returns the next random number for a purpose, in [0, 1).
     pub fn next(&mut self, purpose: Purpose) -> f64 {
         self.sequence(purpose).at(0)
     }
 
-    /// Returns an unlimited sequence of random numbers.
+    /// Returns an unlimited sequence of random numbers, another one on each call.
     pub fn sequence(&mut self, purpose: Purpose) -> RandomSequence {
         let draws = &mut self.draws[purpose as usize];
         *draws += 1;

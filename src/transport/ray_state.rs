@@ -63,7 +63,8 @@ impl RayState {
         self.transparency *= gray(segment.transmittance);
     }
 
-    /// Returns the state of a ray that continues along `ray` from a surface, with the share `share` of the light.
+    /// Returns the state of a ray that continues along `ray` from a surface, with the share `share` of the light. Level
+    /// and weight stay those of this ray, and the transparency is 0; the caller changes them.
     #[inline]
     pub fn continued(&self, ray: Ray, share: Rgb) -> Self {
         Self {

@@ -65,7 +65,8 @@ pub(super) fn is_linear(mirrors: &[Mirror], bounce: Bounce) -> bool {
     mirrors.iter().all(|mirror| mirror.reflection.exponent == 1.0 || mirror.bounce != bounce)
 }
 
-/// Returns the radiance that a bounce's layers reflect from the incoming `light` into the direction `out`, at `point`.
+/// Returns the radiance that a bounce's layers reflect at `point` from `light`, which arrives from the direction `out`
+/// of the reflected ray.
 pub(super) fn reflected_radiance(
     mirrors: &[Mirror],
     point: DVec3,
@@ -87,7 +88,8 @@ pub(super) fn reflected_radiance(
     sum
 }
 
-/// Returns the factor of totally reflected light in the direction `out`: 1, unless the top layer has a thin film.
+/// Returns the factor of totally reflected light that arrives from the direction `out`: 1, unless the top layer has a
+/// thin film.
 pub(super) fn total_reflection_film_factor(
     shading: &ShadingPoint,
     material: &MaterialSample,
@@ -97,12 +99,12 @@ pub(super) fn total_reflection_film_factor(
     shading.layers_of(material).first().map_or(Rgb::ONE, |top| film_factor(shading.point, top, out, world))
 }
 
-/// Returns the factor that a layer's thin film (`irid`) applies to light from a direction. Bumps that are seen or lit
-/// from behind count as from the front (quirk: `bumps_from_behind`).
-pub(super) fn film_factor(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
+/// Returns the factor that a layer's thin film (`irid`) applies to light from the direction `to_light`. Bumps that are
+/// seen or lit from behind count as from the front (quirk: `bumps_from_behind`).
+pub(super) fn film_factor(point: DVec3, shaded: &ShadedLayer, to_light: DVec3, world: &World) -> Rgb {
     match &shaded.layer.finish.irid {
         Some(irid) => {
-            let cosine_sum = shaded.normal.dot(from).abs() + shaded.cos.abs();
+            let cosine_sum = shaded.normal.dot(to_light).abs() + shaded.cos.abs();
             irid.interference_factor(point, cosine_sum, world.irid_wavelength, world.noise)
         }
         None => Rgb::ONE,

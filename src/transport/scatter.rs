@@ -38,11 +38,11 @@ struct Continuation {
     dir: DVec3,
     /// True for total internal reflection.
     is_total: bool,
-    /// Factor of the ray's radiance in the result.
+    /// Factor by which the ray's throughput differs from that of the incoming ray.
     throughput: Rgb,
-    /// Factor of the ray's importance.
+    /// Factor by which the ray's importance differs from that of the incoming ray.
     weight: f64,
-    /// Factor of the ray's transparency.
+    /// Factor by which the ray's transparency differs from that of the incoming ray.
     transparency: f64,
 }
 

@@ -59,7 +59,7 @@ impl<'w> Tracer<'w> {
     pub(super) fn segment(&mut self, state: &RayState, span: &Span, light_set: u32) -> Segment {
         let RayState { ray, inside, bounces, .. } = state;
         let (has_air, has_media) = (self.has_air(), self.has_media());
-        if self.is_filled(inside) {
+        if self.has_filled_interior(inside) {
             return Segment::NONE;
         }
         let context = SegmentContext { inside, light_set, bounces: *bounces, is_shadow: false };
@@ -67,11 +67,11 @@ impl<'w> Tracer<'w> {
         if has_media { air.in_front_of(self.interior_media_segment(ray, span, &context)) } else { air }
     }
 
-    /// Returns the radiance added and the transmittance along a ray of length 1 without a hit. Interiors without an end
-    /// hold no media there (quirk: `endless_media`).
+    /// Returns the radiance added and the transmittance along a ray without a hit, whose direction has length 1. Media
+    /// of interiors around the ray do not count (quirk: `endless_media`).
     pub(super) fn endless_segment(&mut self, state: &RayState) -> Segment {
         let RayState { ray, inside, bounces, .. } = state;
-        if !self.has_air() || self.is_filled(inside) {
+        if !self.has_air() || self.has_filled_interior(inside) {
             return Segment::NONE;
         }
         let context = SegmentContext { inside, light_set: 0, bounces: *bounces, is_shadow: false };
@@ -79,14 +79,14 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the transmittance of air and media along a span of a shadow ray.
-    pub(super) fn shadow_segment(
+    pub(super) fn shadow_span_transmittance(
         &mut self,
         ray: &Ray,
         span: &Span,
         inside: &Interiors,
         segments: &ShadowSegments,
     ) -> Rgb {
-        if !segments.has_air && !segments.has_media || self.is_filled(inside) {
+        if !segments.has_air && !segments.has_media || self.has_filled_interior(inside) {
             return Rgb::ONE;
         }
         let context = SegmentContext { inside, light_set: 0, bounces: 0, is_shadow: true };
@@ -102,22 +102,22 @@ impl<'w> Tracer<'w> {
 
     /// Returns the transmittance of air and media along a span of a shadow ray that ends at a surface. Media of the whole
     /// scene attenuate it in solid interiors, too (quirk: `media_in_solid_shadow`).
-    pub(super) fn shadow_segment_to_surface(
+    pub(super) fn shadow_transmittance_to_surface(
         &mut self,
         ray: &Ray,
         span: &Span,
         inside: &Interiors,
         segments: &ShadowSegments,
     ) -> Rgb {
-        if segments.has_air && self.is_filled(inside) {
+        if segments.has_air && self.has_filled_interior(inside) {
             let context = SegmentContext { inside, light_set: 0, bounces: 0, is_shadow: true };
             return self.air_media_segment(ray, span, &context).transmittance;
         }
-        self.shadow_segment(ray, span, inside, segments)
+        self.shadow_span_transmittance(ray, span, inside, segments)
     }
 
-    /// True if an interior of the list is not hollow, so that neither air nor media are inside.
-    pub(super) fn is_filled(&self, inside: &Interiors) -> bool {
+    /// True if any interior of the list is not hollow, so that neither air nor media are inside.
+    pub(super) fn has_filled_interior(&self, inside: &Interiors) -> bool {
         let world = self.context.world;
         inside.iter().any(|&i| world.filled[i as usize])
     }

@@ -158,7 +158,8 @@ struct Painter<'w, 'a> {
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds a material with its share. A texture that a pattern chooses is the only layer.
+    /// Adds a material with its share. If a layer is a pattern of textures, only the textures that the pattern selects
+    /// are added, and the other layers are ignored.
     fn collect_material(
         &mut self,
         material: &'w Material,

@@ -16,7 +16,8 @@ use std::f64::consts::{PI, TAU};
 /// Fractional part of the golden ratio: turns by this share of a circle spread points evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Weight of a sample up to which only a share of the samples is traced, each with this weight.
+/// Weight of a sample below which it is traced at random: with a probability in proportion to its weight, and then with
+/// this weight.
 const FULL_WEIGHT: f64 = 0.05;
 
 /// Point of a translucent surface that a ray shows.
@@ -82,7 +83,7 @@ impl<'w> Tracer<'w> {
             normal: shading.smooth,
             interior: shading.part.interior,
             ior,
-            transmittance: refracted(-state.ray.dir.dot(shading.smooth), ior).transmittance,
+            transmittance: refraction_on_entry(-state.ray.dir.dot(shading.smooth), ior).transmittance,
             random: self.random.sequence(Purpose::Subsurface),
         };
         let all: SmallVec<[Channels; 3]> = channels_of(shaded, ior).collect();
@@ -105,7 +106,7 @@ impl<'w> Tracer<'w> {
         let bitangent = exit.normal.cross(tangent);
         let (mut sum, mut n_hits) = (Rgb::ZERO, 0_u32);
         for i in 0..n_samples {
-            if self.is_stopped_at_next_surface() {
+            if self.count_surface_and_is_stopped() {
                 break;
             }
             // Points of a spiral on the sphere, which is turned by chance
@@ -151,17 +152,17 @@ impl<'w> Tracer<'w> {
         for &number in &world.lit_by[light_set as usize] {
             let light = &world.lights[number as usize];
             let sample = light.emitter.sample(surface.point, DVec3::ZERO);
-            let cos = surface.normal.dot(sample.from).abs();
+            let cos = surface.normal.dot(sample.to_light).abs();
             if sample.light == Rgb::ZERO || cos.is_nan() || cos == 0.0 {
                 continue;
             }
             let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside, exit.state.bounces);
-            sum += sample.light * visibility * (cos * refracted(cos, exit.ior).transmittance);
+            sum += sample.light * visibility * (cos * refraction_on_entry(cos, exit.ior).transmittance);
         }
         if world.subsurface.as_ref().is_some_and(|settings| settings.radiosity) {
             // Gathered light counts as if it came along the normal.
-            let gathered = self.gathered_irradiance(exit.state, surface.point, surface.normal);
-            sum += gathered * refracted(1.0, exit.ior).transmittance;
+            let gathered = self.gathered_light_into_solid(exit.state, surface.point, surface.normal);
+            sum += gathered * refraction_on_entry(1.0, exit.ior).transmittance;
         }
         sum
     }
@@ -171,7 +172,7 @@ impl<'w> Tracer<'w> {
     fn single_scattering_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
         let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.single_samples);
         let cos = -exit.state.ray.dir.dot(exit.normal);
-        let inner = refracted(cos, exit.ior);
+        let inner = refraction_on_entry(cos, exit.ior);
         if all.is_empty() || inner.transmittance == 0.0 {
             return Rgb::ZERO;
         }
@@ -180,7 +181,7 @@ impl<'w> Tracer<'w> {
         let end = self.distance_inside(&ray).unwrap_or(f64::INFINITY);
         let mut sum = Rgb::ZERO;
         for i in 0..n_samples {
-            if self.is_stopped_at_next_surface() {
+            if self.count_surface_and_is_stopped() {
                 break;
             }
             let share = (f64::from(i) + exit.random.at(2 * u64::from(i) + 2)) / f64::from(n_samples);
@@ -207,20 +208,20 @@ impl<'w> Tracer<'w> {
         let mut sum = Rgb::ZERO;
         for light in &world.lights {
             let below = light.emitter.sample(point, DVec3::ZERO);
-            let to_light = Ray::new(point, below.from);
+            let to_light = Ray::new(point, below.to_light);
             let Some(hit) = self.closest_surface(&to_light).filter(|hit| self.interior_of(hit) == exit.interior) else {
                 continue;
             };
             let surface = hit.surface(&to_light);
             let light_set = world.parts[hit.part_number() as usize].light_set();
             let sample = light.emitter.sample(surface.point, DVec3::ZERO);
-            let cos = surface.normal.dot(sample.from).abs();
+            let cos = surface.normal.dot(sample.to_light).abs();
             let is_inside = !light.emitter.is_parallel() && below.distance < hit.t();
             let is_lit = world.lit_by[light_set as usize].iter().any(|&number| number as usize == light.number);
             if is_inside || !is_lit || sample.light == Rgb::ZERO || cos.is_nan() || cos == 0.0 {
                 continue;
             }
-            let entry = refracted(cos, exit.ior);
+            let entry = refraction_on_entry(cos, exit.ior);
             // The path inside, as if light were refracted: s_i' = s_i·|n·ω|/|n·ω'|
             let path = distance + hit.t() * cos / entry.cos_inside;
             // G = |n·ω_o'|/|n·ω_i'|
@@ -242,7 +243,8 @@ impl<'w> Tracer<'w> {
         world.geometry.closest(ray, range, |_| true)
     }
 
-    /// Returns the distance up to the next surface along a ray from a surface into the solid.
+    /// Returns the distance up to the next surface of any object along a ray from a surface into the solid; `None`
+    /// without one.
     fn distance_inside(&self, ray: &Ray) -> Option<f64> {
         self.closest_surface(ray).map(|hit| hit.t())
     }
@@ -269,8 +271,8 @@ fn channels_of(shaded: &ShadedLayer, ior: f64) -> impl Iterator<Item = Channels>
 }
 
 /// Returns the refraction of light that enters a solid from outside at this cosine of incidence, by Snell's law and
-/// Fresnel's equations.
-fn refracted(cos: f64, ior: f64) -> Refracted {
+/// Fresnel's equations; zeros for total reflection.
+fn refraction_on_entry(cos: f64, ior: f64) -> Refracted {
     // cos²θ₂ = 1 - (1 - cos²θ₁)/n²
     let cos2 = 1.0 - (1.0 - cos * cos) / (ior * ior);
     if cos2.is_nan() || cos2 <= 0.0 {

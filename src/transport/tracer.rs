@@ -99,8 +99,8 @@ impl<'w> Tracer<'w> {
         self.stopped
     }
 
-    /// Counts a surface, and polls the cancel flag at every 64th.
-    pub(super) fn is_stopped_at_next_surface(&mut self) -> bool {
+    /// Counts a surface or a sample of media, and polls the cancel flag at every 64th. True if the tracer is cancelled.
+    pub(super) fn count_surface_and_is_stopped(&mut self) -> bool {
         self.surfaces_since_poll += 1;
         if self.surfaces_since_poll == SURFACES_PER_POLL {
             self.surfaces_since_poll = 0;
@@ -109,7 +109,8 @@ impl<'w> Tracer<'w> {
         self.stopped
     }
 
-    /// Starts a sample of a pixel, by which later random numbers are keyed, and polls the cancel flag.
+    /// Starts a sample of a pixel, by which later random numbers are keyed, and polls the cancel flag. In the final
+    /// pass of radiosity, it also drops the samples that the last camera ray gathered.
     pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
         self.stopped |= (self.is_cancelled)();
         self.random.begin_sample(pixel, sample);

@@ -30,7 +30,8 @@ impl Tracer<'_> {
     }
 
     /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `inside`
-    /// lists the interiors that contain the point; `bounces` is the number of diffuse bounces between camera and point.
+    /// lists the interiors that contain the point; `sample` is that of the light's centre; `bounces` is the number of
+    /// diffuse bounces between camera and point.
     #[inline]
     pub(super) fn visibility(
         &mut self,
@@ -42,12 +43,18 @@ impl Tracer<'_> {
     ) -> Rgb {
         match self.light_grid(light, bounces) {
             Some(area) => self.area_visibility(light, area, point, sample, inside),
-            None => self.point_visibility(light, Ray::new(point, sample.from), sample.distance, inside),
+            None => self.visibility_along_ray(light, Ray::new(point, sample.to_light), sample.distance, inside),
         }
     }
 
     /// Returns the visibility along one shadow ray to a light at a distance, per channel.
-    pub(super) fn point_visibility(&mut self, light: &LightSource, ray: Ray, distance: f64, inside: &Interiors) -> Rgb {
+    pub(super) fn visibility_along_ray(
+        &mut self,
+        light: &LightSource,
+        ray: Ray,
+        distance: f64,
+        inside: &Interiors,
+    ) -> Rgb {
         let epsilon = self.context.world.epsilon.shadow;
         let mut range = Range { min: epsilon, max: distance - epsilon };
         if let Some(projector) = light.through.as_ref().filter(|_| self.context.quality.shadows) {
@@ -129,17 +136,24 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
         for hit in surfaces {
-            transmittance *= self.shadow_segment_to_surface(ray, &Span::new(from, hit.t()), &inside, &segments);
-            transmittance *= self.surface_transmittance(ray, hit, from, &mut inside);
+            transmittance *= self.shadow_transmittance_to_surface(ray, &Span::new(from, hit.t()), &inside, &segments);
+            transmittance *= self.transmittance_crossing_surface(ray, hit, from, &mut inside);
             from = hit.t();
         }
         // Media of interiors end at surfaces: a light inside of a medium is not attenuated (quirk: `light_inside_media`).
         let last = ShadowSegments { has_media: false, ..segments };
-        transmittance * self.shadow_segment(ray, &Span::new(from, last.distance), &inside, &last)
+        transmittance * self.shadow_span_transmittance(ray, &Span::new(from, last.distance), &inside, &last)
     }
 
-    /// Returns the transmittance of a surface, with caustics, and of the interior that the ray leaves at the surface.
-    fn surface_transmittance(&mut self, ray: &Ray, hit: &Intersection, from: f64, inside: &mut Interiors) -> Rgb {
+    /// Returns the transmittance of a surface, with caustics, and of the interior that the ray leaves at the surface;
+    /// `segment_start` is the distance of the surface before. Updates the list `inside`.
+    fn transmittance_crossing_surface(
+        &mut self,
+        ray: &Ray,
+        hit: &Intersection,
+        segment_start: f64,
+        inside: &mut Interiors,
+    ) -> Rgb {
         let world = self.context.world;
         let mut transmittance = shading_point::shadow_transmittance(world, ray, hit, !self.context.quality.pigments);
         if !self.context.tracks_interiors {
@@ -149,7 +163,7 @@ impl Tracer<'_> {
         let interior = &world.interiors[own as usize];
         if let Some(at) = inside.iter().rposition(|&i| i == own) {
             inside.remove(at);
-            transmittance *= self.shadow_interior_transmittance(own, hit.t() - from);
+            transmittance *= self.shadow_interior_transmittance(own, hit.t() - segment_start);
         } else {
             inside.push(own);
         }

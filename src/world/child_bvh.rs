@@ -19,7 +19,7 @@ pub struct ChildBvh {
 
 impl ChildBvh {
     /// Builds a hierarchy over the children's boxes; `None` if there are too few children.
-    pub fn over(boxes: &[Aabb]) -> Option<Box<ChildBvh>> {
+    pub fn build_if_many(boxes: &[Aabb]) -> Option<Box<ChildBvh>> {
         let (inner, rest): (Vec<u32>, Vec<u32>) =
             (0..boxes.len() as u32).partition(|&i| bvh::fits_single_precision(&boxes[i as usize]));
         if inner.len() < MANY {
@@ -30,7 +30,8 @@ impl ChildBvh {
         Some(Box::new(ChildBvh { bvh, order, rest }))
     }
 
-    /// Calls `visit` with each child whose box the ray intersects; `visit` returns the range where further hits count.
+    /// Calls `visit` with each child whose box the ray intersects, and with those whose boxes are infinite or huge;
+    /// `visit` returns the range where further hits count.
     pub fn visit_children_on_ray(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {
@@ -41,7 +42,8 @@ impl ChildBvh {
         });
     }
 
-    /// Calls `visit` with each child whose box contains the point, until it returns `Break`.
+    /// Calls `visit` with each child whose box contains the point, and with those whose boxes are infinite or huge,
+    /// until it returns `Break`.
     pub fn visit_children_around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) -> ControlFlow<()> {
         self.rest.iter().try_for_each(|&child| visit(child as usize))?;
         let mut flow = ControlFlow::Continue(());

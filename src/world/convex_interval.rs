@@ -80,8 +80,8 @@ pub(super) fn range_possibly_inside(solid: &SolidNode, ray: &Ray, range: Range) 
 pub(super) struct UnknownInterval;
 
 /// Calls `visit` with each hit in the range on an intersection, or on a merge if `merged`, and the shape that is hit, in the
-/// order of the shapes; all children must be able to compute their intervals. `visit` returns the distance up to which
-/// further hits count.
+/// order of the shapes, not of the distances. `visit` returns the distance up to which further hits count. An error,
+/// without any call, if a child is no shape or cannot compute its interval.
 pub(super) fn visit_ends_on_surface<'a>(
     children: &'a [SolidNode],
     merged: bool,
@@ -139,9 +139,9 @@ impl<'a> GatheredHits<'a> {
         Self { range: Range::ALL, hits: SmallVec::new(), intervals: SmallVec::new() }
     }
 
-    /// Reserves space for the intervals of all children.
-    pub(super) fn reserve_intervals(&mut self, children: usize) {
-        self.intervals.resize(children, None);
+    /// Enters an unknown interval for each of `n_children` children.
+    pub(super) fn add_unknown_intervals(&mut self, n_children: usize) {
+        self.intervals.resize(n_children, None);
     }
 
     /// Finds the interval of child `i`, and returns the range. If only hits inside the child count (`only_inside`),
@@ -167,7 +167,7 @@ impl<'a> GatheredHits<'a> {
         self.range
     }
 
-    /// Adds the hits of a child within the range.
+    /// Adds the hits of a child within the range that the intervals of all children have narrowed.
     pub(super) fn add(&mut self, i: usize, child: &'a SolidNode, ray: &Ray) {
         if self.range.is_empty() {
             return;

@@ -72,7 +72,8 @@ impl World {
     }
 
     /// Returns the digest of everything that determines the photons: the scene with the digest `scene`, settings, and the
-    /// options of the render in `options`; or the digest in the file from which the photons are loaded.
+    /// options of the render in `options`; or the digest in the file from which the photons are loaded; or `scene`
+    /// itself for a scene without photons.
     pub fn photon_digest(&self, scene: &Digest, options: &str) -> Digest {
         let Some(settings) = &self.photon_map else { return *scene };
         if let Some(loaded) = &settings.saved.loaded {

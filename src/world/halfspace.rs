@@ -58,7 +58,8 @@ impl HalfSpace {
     }
 }
 
-/// Appends half-spaces that contain a shape with flat faces or round walls; none for other shapes.
+/// Appends half-spaces in world space that contain a shape with flat faces or round walls, up to 64 in `out`; none for
+/// other shapes. With `inverse`, they contain the outside of the shape.
 pub fn push_half_spaces_of(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
     let turned = || shape.as_half_space().into_iter().map(|(normal, distance)| (-normal, -distance)).collect();
     let planes = if inverse { turned() } else { shape.half_spaces() };
@@ -71,7 +72,8 @@ pub fn push_half_spaces_of(shape: &Shape, m: &Transform, inverse: bool, out: &mu
     );
 }
 
-/// Returns a box around the intersection of the box `start` with all half-spaces.
+/// Returns a box around the intersection of the box `start` with all half-spaces; `start` itself if no half-space is
+/// slanted or the intersection is unbounded.
 pub fn clip_box(start: Aabb, planes: &[HalfSpace]) -> Aabb {
     // Axis-parallel planes are in the boxes already.
     if start.is_empty() || !planes.iter().any(HalfSpace::is_slanted) {

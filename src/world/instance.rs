@@ -74,7 +74,7 @@ impl Instance {
 
     /// Appends every hit of a ray in world space on the instance, within the range, in no particular order.
     pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
-        let _ = self.shared.visit(&self.local(ray), range, |_| true, &mut |found| {
+        let _ = self.shared.visit_hits(&self.local(ray), range, |_| true, &mut |found| {
             out.push(self.hit_on_instance(found));
             ControlFlow::Continue(())
         });

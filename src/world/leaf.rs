@@ -163,7 +163,7 @@ impl Intersection<'_> {
     }
 
     /// True if the hit shape is inverted.
-    pub fn inverted(&self) -> bool {
+    pub fn is_on_inverted_shape(&self) -> bool {
         self.leaf.inverse
     }
 

@@ -52,8 +52,8 @@ impl Choice {
 
     /// Returns the materials at a pattern value, with their shares; two equal neighbours are merged where that is
     /// possible.
-    pub fn shares(&self, number: f64) -> Shares<'_, Arc<Material>> {
-        let shares = self.parts.weighted_values(number, self.averages());
+    pub fn shares(&self, pattern_value: f64) -> Shares<'_, Arc<Material>> {
+        let shares = self.parts.weighted_values(pattern_value, self.averages());
         match shares[..] {
             [(below, _), (above, _)] if Arc::ptr_eq(below, above) && !below.repeats && !self.averages() => {
                 Shares::from_slice(&[(below, 1.0)])

@@ -83,7 +83,7 @@ impl Medium {
     }
 
     /// Returns distances along a ray in world space outside of which the density is 0; they are infinite where none are
-    /// known.
+    /// known. The first is greater than the second if the density is 0 on the whole ray.
     pub fn extent_on_ray(&self, ray: &Ray) -> [f64; 2] {
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
         if !self.densities.first().is_some_and(PigmentProgram::has_support) {

@@ -26,7 +26,8 @@ impl Probe {
         Ok(Self(lower_alone(object)?))
     }
 
-    /// Returns the first hit of a ray and the outward normal at the hit, of length 1.
+    /// Returns the first hit of a ray and the outward normal at the hit, of length 1; `None` without a hit and for a
+    /// direction of length 0.
     pub fn hit_point_and_normal(&self, from: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
         let direction = direction.try_normalize()?;
         let ray = Ray { origin: from, dir: direction };
@@ -43,7 +44,7 @@ impl Probe {
     /// True if the point is inside the object.
     pub fn inside(&self, p: DVec3) -> bool {
         let mut inside = false;
-        self.0.containing(p, &mut |_| inside = true);
+        self.0.visit_containing(p, &mut |_| inside = true);
         inside
     }
 }

@@ -53,7 +53,7 @@ fn subtracted_surfaces_face_inwards() {
     let shell = SolidNode::difference(vec![sphere(0.0, 1.0, 1), sphere(0.0, 0.5, 2)], 7);
     let ray = Ray::new(DVec3::ZERO, DVec3::Z);
     let found = shell.closest(&ray, Range::FORWARD).unwrap();
-    assert_eq!((found.t(), found.leaf.id, found.object, found.inverted()), (0.5, 2, 7, true));
+    assert_eq!((found.t(), found.leaf.id, found.object, found.is_on_inverted_shape()), (0.5, 2, 7, true));
     assert_eq!(found.surface(&ray).normal, -DVec3::Z, "as POV-Ray's trace() has it");
 }
 
@@ -143,7 +143,7 @@ fn containing_objects_of_a_point() {
     ]);
     let at = |p: DVec3| {
         let mut found = vec![];
-        geometry.containing(p, &mut |item| found.push(item.object()));
+        geometry.visit_containing(p, &mut |item| found.push(item.object()));
         found.sort();
         found
     };

@@ -287,7 +287,7 @@ proptest! {
             let each = nodes.iter().flat_map(|n| node_hits(n, &ray, range));
             let want = sorted(each.map(|f| (f.t(), f.leaf.id)).collect());
             let mut found = vec![];
-            let flow = geometry.visit(&ray, range, |_| true, &mut |f| {
+            let flow = geometry.visit_hits(&ray, range, |_| true, &mut |f| {
                 found.push((f.t(), f.leaf.id));
                 ControlFlow::Continue(())
             });
@@ -305,7 +305,7 @@ proptest! {
         for _ in 0..20 {
             let p = dice.vector(3.0);
             let mut inside = vec![];
-            geometry.containing(p, &mut |item| inside.push(item.object()));
+            geometry.visit_containing(p, &mut |item| inside.push(item.object()));
             // For a disc, or a ball that is solid outside, points beyond the box are unspecified.
             let plate = |n: &PlacedSolid| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.is_solid_unbounded());
             let all = |n: &PlacedSolid| n.inside(p) && !plate(n);

@@ -28,17 +28,17 @@ pub enum Projection {
     },
     /// Parallel camera rays.
     Orthographic,
-    /// Fisheye camera, with the angle of view of the whole disc.
+    /// Fisheye camera, with the angle of view of the whole disc, in radians.
     Fisheye(f64),
-    /// Ultra wide angle camera, with the horizontal angle of view.
+    /// Ultra wide angle camera, with the horizontal angle of view, in radians.
     UltraWideAngle(f64),
     /// Omnimax camera, a fisheye for domed screens.
     Omnimax,
     /// Panoramic camera.
     Panoramic,
-    /// Cylindrical camera, with its type, 1 to 4, and the angle of view about the axis.
+    /// Cylindrical camera, with its type, 1 to 4, and the angle of view about the axis, in radians.
     Cylinder(u8, f64),
-    /// Spherical camera, with the horizontal and vertical angles of view.
+    /// Spherical camera, with the horizontal and vertical angles of view, in radians.
     Spherical(DVec2),
     /// Mesh camera: rays from the faces of meshes.
     Mesh(#[serde(skip)] Arc<MeshRays>),

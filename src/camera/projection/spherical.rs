@@ -3,8 +3,8 @@
 use crate::math::{DVec2, DVec3, fp};
 
 /// Returns the direction of a spherical camera's ray, of length 1, and the position for bumps: longitude and latitude.
-/// `angles` are the horizontal and vertical angles of view; `axes` are the unit vectors right, up and ahead. The
-/// direction ahead is rotated about right and then about up, even if these are not orthogonal (quirk:
+/// `angles` are the horizontal and vertical angles of view, in radians; `axes` are the unit vectors right, up and
+/// ahead. The direction ahead is rotated about right and then about up, even if these are not orthogonal (quirk:
 /// `spherical_skew`).
 pub(super) fn direction_and_bump_position(
     picture_fraction_from_center: DVec2,

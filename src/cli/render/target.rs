@@ -55,7 +55,7 @@ impl Target {
         }
         let size = args.scene.size();
         if location != Location::Nowhere {
-            format.check(size.width, size.height, depth)?;
+            format.check_limits(size.width, size.height, depth)?;
         }
         if let Location::File(path) = &location
             && is_same_file(path, input)

@@ -104,7 +104,7 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
         (Samples::F32(_), Format::Exr) => 32,
         _ => 8,
     };
-    format.check(pixels.width, pixels.height, format.has_depth().then_some(depth))?;
+    format.check_limits(pixels.width, pixels.height, format.has_depth().then_some(depth))?;
     let gamma = match stored {
         Stored::Power(gamma) => Gamma::Power(*gamma),
         Stored::Plain | Stored::Unsaid | Stored::Srgb => Gamma::Srgb,

@@ -40,17 +40,17 @@ impl Pack {
     }
 
     /// Packs the triangles with these indices, at most [`Pack::MANY`].
-    pub fn new(row: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
+    pub fn new(indices: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
         let mut corners = [[0.0; 3]; MANY];
         let mut numbers = [[[0; HALF]; 2]; 3];
         let mut len = 0;
-        for (lane, number) in row.clone().enumerate().take(MANY) {
+        for (lane, number) in indices.clone().enumerate().take(MANY) {
             for (numbers, p) in numbers.iter_mut().zip(triangle(number)) {
                 numbers[lane / HALF][lane % HALF] = find_or_add_corner(&mut corners, &mut len, p).unwrap_or_default();
             }
         }
         let corners = from_fn(|axis| corners.map(|p| p[axis]));
-        Self { corners, numbers, first: row.start, count: row.end - row.start }
+        Self { corners, numbers, first: indices.start, count: indices.end - indices.start }
     }
 
     /// Returns the indices of the pack's halves that are not empty.

@@ -45,8 +45,8 @@ impl Cell {
         hash_index(hash_index(hash_index(x) ^ y) ^ z)
     }
 
-    /// Calls `look` with the random points of the unit cube and of those around it. Each thread caches some of them,
-    /// since neighbouring points need the same ones.
+    /// Calls `look`, which must not call this function again, with the random points of the unit cube and of those
+    /// around it. Each thread caches some of them, since neighbouring points need the same ones.
     pub fn with_neighbour_points<T>(self, look: impl FnOnce(&Around) -> T) -> T {
         REMEMBERED.with_borrow_mut(|remembered| {
             let around = &mut remembered[self.cache_slot()];

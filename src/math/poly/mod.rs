@@ -1,4 +1,4 @@
-//! Real roots of polynomials. Coefficients start with that of the highest power.
+//! Real roots of polynomials. The arguments of the quadratic solvers start with the coefficient of the highest power.
 
 mod bernstein;
 
@@ -11,8 +11,9 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c)
 }
 
-/// Real roots of a·x² + 2·half_b·x + c, ascending, for a caller that has an accurate half_b² - a·c: that difference of
-/// nearly equal numbers is the source of inaccurate roots, and geometry often has it as a product or a distance.
+/// Real roots of a·x² + 2·half_b·x + c, ascending, for a caller that has an accurate `quarter_disc`, half_b² - a·c;
+/// `None` if there is no real root. That difference of nearly equal numbers is the source of inaccurate roots, and
+/// geometry often has it as a product or a distance.
 pub fn solve_quadratic_with_discriminant(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f64, f64)> {
     if quarter_disc < 0.0 || (a == 0.0 && half_b == 0.0) {
         return None;

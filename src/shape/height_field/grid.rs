@@ -171,8 +171,8 @@ impl Grid {
         ]
     }
 
-    /// Returns the height field's cell under a point, and the position within it, in cells; points outside belong to
-    /// the nearest cell.
+    /// Returns the height field's triangle under a point, and the position within its cell, from 0 to 1; points outside
+    /// belong to the nearest cell.
     pub fn triangle_and_position_at(&self, x: f64, z: f64) -> (Place, DVec2) {
         let (i, k) = ((x as usize).min(self.across - 1), (z as usize).min(self.deep - 1));
         let rest = DVec2::new(x - i as f64, z - k as f64).clamp(DVec2::ZERO, DVec2::ONE);

@@ -102,8 +102,8 @@ impl Cells {
         Self { formula: formula.clone(), threshold, grid }
     }
 
-    /// Calls `stops_at` with the pieces of a ray in each cell of the isosurface, in order, until it returns true. Returns
-    /// true if it did.
+    /// Calls `stops_at` with the pieces of a ray in each cell of the isosurface, in order, until it returns true.
+    /// Returns true if it did, or if the work is cancelled.
     pub fn any_piece(&self, ray: &Ray, from: f64, to: f64, stops_at: StopsAt) -> bool {
         self.any_piece_in_grid(&self.grid, HALVINGS, ray, (from, to), stops_at)
     }

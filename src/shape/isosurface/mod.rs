@@ -103,7 +103,7 @@ impl Isosurface {
     }
 
     /// Calls `stops_at` with each hit of a ray on the isosurface in the range, ascending, until it returns true.
-    fn search(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(Hit) -> bool) {
+    fn search_hits(&self, ray: &Ray, range: Range, stops_at: &mut dyn FnMut(Hit) -> bool) {
         let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         if !(enter < range.max && leave > range.min) {
             return;
@@ -309,7 +309,7 @@ impl Kernel for Isosurface {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |hit| {
+        self.search_hits(ray, range, &mut |hit| {
             out.push(hit);
             false
         });
@@ -322,7 +322,7 @@ impl Kernel for Isosurface {
         }
         let mut seen = 0;
         let counted = Range { min: range.min.min(tolerance::SURFACE), max: range.max };
-        self.search(ray, counted, &mut |hit| {
+        self.search_hits(ray, counted, &mut |hit| {
             if range.contains(hit.t) {
                 out.push(hit);
             }
@@ -333,7 +333,7 @@ impl Kernel for Isosurface {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, &mut |hit| {
+        self.search_hits(ray, range, &mut |hit| {
             first = Some(hit);
             true
         });

@@ -33,7 +33,7 @@ pub struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     /// Creates the search of a ray that enters the isosurface's container from outside; `enters_solid` is true if it
-    /// enters the solid there. A way shorter than a piece has no hits.
+    /// enters the solid there. `None` if the way is not longer than `accuracy`, and so has no hits.
     pub fn entering_container(
         value: &'a dyn Fn(f64) -> f64,
         enters_solid: bool,
@@ -50,7 +50,8 @@ impl<'a> Walk<'a> {
         walk.has_whole_piece().then_some(walk)
     }
 
-    /// Creates the search of a ray that starts within the isosurface's container.
+    /// Creates the search of a ray that starts within the isosurface's container; `None` if the way is not longer than
+    /// `accuracy`.
     pub fn starting_in_container(
         value: &'a dyn Fn(f64) -> f64,
         from: f64,

@@ -222,8 +222,8 @@ impl JuliaFractal {
         last
     }
 
-    /// Returns the gradient of |h|² after some iterations of a Julia fractal; its fourth component is ignored, even if
-    /// the slice makes it depend on the others (quirk: `julia_normal`).
+    /// Returns a vector along the gradient of |h|² after some iterations of a Julia fractal; its length has no meaning.
+    /// Its fourth component is ignored, even if the slice makes it depend on the others (quirk: `julia_normal`).
     fn gradient_of_squared_length(&self, p: DVec3, rounds: usize) -> DVec3 {
         let rule = self.iteration_rule();
         let mut h = self.point_in_slice(p);

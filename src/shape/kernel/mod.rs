@@ -218,7 +218,7 @@ pub trait Kernel {
         smallvec::smallvec![(0, 1.0)]
     }
 
-    /// Returns the shape to use under the transform M; `None` for a shape that does not depend on its transform.
+    /// Returns the shape to use under the transform M; `None` to use this one unchanged.
     fn adapted_to_transform(&self, _m: &Transform) -> Option<Shape> {
         None
     }

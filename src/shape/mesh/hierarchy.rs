@@ -145,7 +145,7 @@ impl TriangleHierarchy {
         found
     }
 
-    /// True if the ray hits an odd number of the mesh's triangles.
+    /// True if the ray starts in the mesh's bounding box and hits an odd number of its triangles.
     pub fn is_crossed_oddly(&self, ray: &Ray) -> bool {
         let mut odd = false;
         if self.bounds().contains(ray.origin) {
@@ -181,7 +181,8 @@ impl TriangleHierarchy {
         mapped.map_or(DVec2::ZERO, |numbers| self.interpolate_corners(hit, numbers.map(|i| self.lists.uvs[i as usize])))
     }
 
-    /// Numbers of the textures at the corners of the mesh's triangle that was hit; `None` without any.
+    /// Numbers of the textures at the corners of the mesh's triangle that was hit, or of the materials of a mesh file,
+    /// counted from 1; `None` without any. The first can have the flag `EACH_CORNER`.
     pub fn corner_textures(&self, hit: &Hit) -> Option<[u32; 3]> {
         Self::triangle_indices(&self.lists.painted, hit.part as usize)
     }

@@ -76,7 +76,7 @@ impl Parametric {
         self.patches.0.get_or_init(|| Patches::new(self))
     }
 
-    fn search(&self, ray: &Ray, range: Range, only_nearer: bool, found: &mut dyn FnMut(Hit)) {
+    fn visit_hits(&self, ray: &Ray, range: Range, only_nearer: bool, found: &mut dyn FnMut(Hit)) {
         let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         let (min, max) = (range.min.max(enter), range.max.min(leave));
         if min >= max {
@@ -175,7 +175,7 @@ impl Kernel for Parametric {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, false, &mut |hit| {
+        self.visit_hits(ray, range, false, &mut |hit| {
             // A point on the common edge of two patches is found twice.
             if out.iter().all(|other| (other.t - hit.t).abs() > 1e-9 * (1.0 + hit.t.abs())) {
                 out.push(hit);
@@ -193,7 +193,7 @@ impl Kernel for Parametric {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, true, &mut |hit| first = Some(hit));
+        self.visit_hits(ray, range, true, &mut |hit| first = Some(hit));
         first
     }
 

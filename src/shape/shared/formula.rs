@@ -132,7 +132,7 @@ impl Container {
         }
     }
 
-    /// Interval of a line inside the surface's container.
+    /// Interval of a line inside the surface's container; `None` for a line that misses it.
     pub fn interval_inside(&self, ray: &Ray) -> Option<(f64, f64)> {
         match self {
             Self::Box(b) => b.bounds().slabs(ray, Range::ALL).filter(|(near, far)| near.is_finite() && far.is_finite()),
@@ -161,7 +161,7 @@ impl Container {
     }
 }
 
-/// Reads a number above 0; any other number selects the default, as in POV-Ray.
+/// Reads a number above 0; any other number is reported and selects the default, as in POV-Ray.
 pub fn read_default_unless_positive(r: &mut dyn Reader, word: &str, default: f64) -> Result<f64> {
     let (at, x) = (r.span(), r.float()?);
     if x > 0.0 {

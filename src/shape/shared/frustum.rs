@@ -17,8 +17,8 @@ pub const BASE: u32 = 1;
 /// Part number of a cone's or cylinder's disc around the cap point.
 pub const CAP: u32 = 2;
 
-/// Frustum of a cone: a wall around an axis, closed by discs unless `open`. Radii have signs: if they differ, the wall
-/// is an hourglass through the axis (quirk: `cone_negative_radii`).
+/// Frustum of a cone: a wall around an axis, closed by discs unless `open`. Radii have signs: if the signs differ, the
+/// wall is an hourglass through the axis (quirk: `cone_negative_radii`).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Frustum {
     /// Centre of the frustum's base.

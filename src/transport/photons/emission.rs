@@ -237,7 +237,8 @@ fn diagonal_or_substitute(bounds: &Aabb, light: DVec3) -> f64 {
     if bounds.is_finite() { bounds.size().length() } else { 2.0 * light.length().max(1.0) }
 }
 
-/// Returns the source of photons from a light at a target.
+/// Returns the source of photons from one point of a light at a target, with all of the light's power and without
+/// jitter; the caller sets the share, the jitter and the key.
 fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> Source {
     let emitter = &light.emitter;
     let (bounds, origin) = (target.bounds, emitter.location + offset);

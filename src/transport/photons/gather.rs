@@ -1,6 +1,6 @@
 //! Estimates of the light of stored photons.
 
-use super::super::direct_light::{Incidence, LitSurface, diffuse, highlight};
+use super::super::direct_light::{Incidence, LitSurface, diffuse_factor, highlight_factor};
 use super::super::ray_state::RayState;
 use super::super::shading_point::{ShadedLayer, ShadingPoint};
 use super::super::tracer::Tracer;
@@ -63,9 +63,9 @@ impl Tracer<'_> {
                 // The density of photons contains the cosine at the smooth surface.
                 let smooth_cos = shading.smooth.dot(to_light).abs().max(MIN_COS);
                 let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
-                let mut reflected = diffuse(shaded, &at, 0.0, both_sides);
+                let mut reflected = diffuse_factor(shaded, &at, 0.0, both_sides);
                 if cos > 0.0 || both_sides {
-                    reflected += highlight(shaded, &at);
+                    reflected += highlight_factor(shaded, &at);
                 }
                 sum += reflected / smooth_cos * photon.flux();
             }

@@ -48,7 +48,7 @@ pub struct PhotonPower {
 }
 
 impl PhotonPower {
-    /// Returns the power of the photon.
+    /// Returns the flux of the photon: power on a surface, power times length in a medium.
     pub fn flux(&self) -> Rgb {
         Rgb::from_array(self.flux.map(f64::from))
     }
@@ -76,7 +76,8 @@ pub struct PhotonMap {
 }
 
 impl PhotonMap {
-    /// Builds the tree. The result depends only on the photons and their order.
+    /// Builds the tree, without photons whose position or flux is not finite. The result depends only on the photons
+    /// and their order.
     pub fn new(mut photons: Vec<Photon>) -> Self {
         photons.retain(|photon| photon.position.iter().chain(&photon.flux).all(|x| x.is_finite()));
         photons.truncate(u32::MAX as usize);
@@ -257,7 +258,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds a photon that is nearer than the limit.
+    /// Adds a photon that is nearer than the limit; in a full list it replaces the farthest one.
     fn add(&mut self, squared_distance: f32, i: u32) {
         if self.found.len() < self.count {
             self.found.push((squared_distance, i));

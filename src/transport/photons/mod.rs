@@ -88,7 +88,8 @@ impl PhotonPass {
         &self.plan.jobs
     }
 
-    /// Builds the maps of the photons of all jobs, which are in the order of the jobs.
+    /// Builds the maps of the photons of all jobs, which are in the order of the jobs; drops those of rings after the
+    /// one where autostop ends a source.
     pub fn finish(&self, shards: Vec<PhotonShard>) -> Photons {
         let (mut surface, mut media) = (vec![], vec![]);
         // Source that autostop has ended, and the source that has hit its target

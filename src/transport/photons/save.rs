@@ -8,7 +8,7 @@ use std::io::{self, Write};
 
 impl Photons {
     /// Returns the photons of the file that the scene loads; `None` without a file, and for a quality without photons.
-    pub fn loaded(context: &FrameContext) -> Option<Self> {
+    pub fn from_scene_file(context: &FrameContext) -> Option<Self> {
         let settings = context.world.photon_map.as_ref().filter(|_| context.quality.reflection)?;
         settings.saved.loaded.as_ref().map(|loaded| Self::from_file(&loaded.file, settings))
     }

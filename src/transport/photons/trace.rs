@@ -33,7 +33,8 @@ struct Beam<'a, 'w> {
 }
 
 impl<'w> Tracer<'w> {
-    /// Emits and traces the photons of a job; `None` if the tracer was cancelled.
+    /// Emits and traces the photons of a job; `None` if the tracer was cancelled. The tracer then has the limits of
+    /// photons, and cannot trace camera rays.
     pub fn shoot_photons(&mut self, pass: &PhotonPass, job: &Job) -> Option<PhotonShard> {
         let source = &pass.plan.sources[job.source];
         let world = self.context.world;
@@ -53,7 +54,7 @@ impl<'w> Tracer<'w> {
                 if self.is_stopped() {
                     return None;
                 }
-                self.shoot(&beam, &source.emit(number, i), copy_interiors(&inside), &mut ring);
+                self.trace_photon(&beam, &source.emit(number, i), copy_interiors(&inside), &mut ring);
             }
             shard.rings.push(ring);
         }
@@ -61,22 +62,28 @@ impl<'w> Tracer<'w> {
     }
 
     /// Traces one photon and all photons into which surfaces split it.
-    fn shoot(&mut self, beam: &Beam<'_, 'w>, emitted: &Emitted, inside: Interiors, ring: &mut Ring) {
+    fn trace_photon(&mut self, beam: &Beam<'_, 'w>, emitted: &Emitted, inside: Interiors, ring: &mut Ring) {
         let state = RayState { throughput: Rgb::splat(emitted.measure), ..RayState::camera(emitted.ray, inside) };
         let mut flights = vec![Flight { state, distance: 0.0, has_hit_target: false }];
         while let Some(flight) = flights.pop() {
-            if self.is_stopped_at_next_surface() {
+            if self.count_surface_and_is_stopped() {
                 return;
             }
             if flight.state.n_surfaces < MAX_SURFACES {
-                self.fly(beam, flight, &mut flights, ring);
+                self.trace_to_next_surface(beam, flight, &mut flights, ring);
             }
         }
     }
 
     /// Traces a photon to the next surface, stores the photon there and in media before it, and adds the photons that
     /// continue.
-    fn fly(&mut self, beam: &Beam<'_, 'w>, mut flight: Flight, flights: &mut Vec<Flight>, ring: &mut Ring) {
+    fn trace_to_next_surface(
+        &mut self,
+        beam: &Beam<'_, 'w>,
+        mut flight: Flight,
+        flights: &mut Vec<Flight>,
+        ring: &mut Ring,
+    ) {
         self.random.next_vertex();
         let (world, source) = (self.context.world, beam.source);
         let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
@@ -117,7 +124,8 @@ impl<'w> Tracer<'w> {
             has_media: self.has_media(),
         };
         let ray = flight.state.ray;
-        let transmittance = self.shadow_segment(&ray, &Span::from_origin(hit.t()), &flight.state.inside, &segments);
+        let transmittance =
+            self.shadow_span_transmittance(&ray, &Span::from_origin(hit.t()), &flight.state.inside, &segments);
         flight.state.throughput *= transmittance;
         flight.distance += hit.t();
         // Store the photon
@@ -165,10 +173,11 @@ impl<'w> Tracer<'w> {
         shading.part.collects_photons && is_diffuse() && is_lit()
     }
 
-    /// Stores photons along a stretch of the ray in media that scatter light.
+    /// Stores photons along a stretch of the ray, at points where a medium that collects photons has a density; none
+    /// inside a solid that is not hollow.
     fn store_in_media(&mut self, beam: &Beam, flight: &Flight, length: f64, ring: &mut Ring) {
         let (world, state) = (self.context.world, &flight.state);
-        if !self.context.quality.atmosphere || !length.is_finite() || self.is_filled(&state.inside) {
+        if !self.context.quality.atmosphere || !length.is_finite() || self.has_filled_interior(&state.inside) {
             return;
         }
         let of_interior = |i: &u32| world.media.get(i).into_iter().flat_map(|media| media.iter());
@@ -189,7 +198,7 @@ impl<'w> Tracer<'w> {
         let (mut from, mut transmittance) = (0.0, Rgb::ONE);
         for i in 0..n {
             let t = (f64::from(i) + random.at(u64::from(i))) * step;
-            transmittance *= self.shadow_segment(&ray, &Span::new(from, t), &state.inside, &segments);
+            transmittance *= self.shadow_span_transmittance(&ray, &Span::new(from, t), &state.inside, &segments);
             from = t;
             let p = ray.at(t);
             let is_there = |medium: &&Medium| medium.density_at(p, ray.dir, world.noise, world.waves) != Rgb::ZERO;

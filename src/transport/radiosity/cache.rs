@@ -50,11 +50,11 @@ pub struct Blend {
 }
 
 impl Sample {
-    /// Returns the sample's radius in the direction of the vector `between`, which has this length: the nearest surface
-    /// limits it in the directions toward that surface, since light changes fast there.
-    fn radius_along(&self, between: DVec3, length: f64) -> f64 {
-        let approach = between.dot(self.toward_nearest);
-        if approach > 0.0 { self.radius + (self.nearest - self.radius) * (approach / length) } else { self.radius }
+    /// Returns the sample's radius in the direction of the vector `to_point`, which has the length `distance`: the
+    /// nearest surface limits it in the directions toward that surface, since light changes fast there.
+    fn radius_along(&self, to_point: DVec3, distance: f64) -> f64 {
+        let approach = to_point.dot(self.toward_nearest);
+        if approach > 0.0 { self.radius + (self.nearest - self.radius) * (approach / distance) } else { self.radius }
     }
 }
 
@@ -121,7 +121,8 @@ impl RadiosityCache {
         std::mem::take(&mut self.samples)
     }
 
-    /// Inserts a radiosity sample into the cache; drops it if the cache is full or a number is not finite.
+    /// Inserts a radiosity sample into the cache; drops it if the cache is full, or if its light or point is not
+    /// finite.
     pub fn insert(&mut self, sample: Sample) {
         if self.samples.len() >= MAX_SAMPLES || !sample.light.is_finite() || !sample.point.is_finite() {
             return;
@@ -149,7 +150,7 @@ impl RadiosityCache {
     }
 
     /// Adds to `blend` all radiosity samples of the cache that may be reused for the query, each with its weight.
-    pub fn add_to(&self, query: &Query, blend: &mut Blend) {
+    pub fn add_usable_samples_to(&self, query: &Query, blend: &mut Blend) {
         self.visit_usable(query, |sample, share| {
             // Tukey's biweight: the mean has no peaks at the samples.
             let root = 1.0 - share * share;
@@ -193,7 +194,7 @@ impl RadiosityCache {
 }
 
 /// Returns the error of a radiosity sample that is reused at a point, as a share of the maximum error; `None` from the
-/// maximum on. The error is that of Ward et al. (1988), with twice the part of the normals.
+/// maximum on. The error is that of Ward et al. (1988), in which the term of the normals counts twice.
 fn error_share(sample: &Sample, query: &Query) -> Option<f64> {
     let between = query.point - sample.point;
     let distance2 = between.length_squared();
@@ -246,7 +247,7 @@ mod tests {
     fn mean_at(cache: &RadiosityCache, x: f64, normal: DVec3) -> Option<f64> {
         let query = Query { point: DVec3::new(x, 0.0, 0.0), normal, depth: 0, error_bound: 0.5 };
         let mut blend = Blend::default();
-        cache.add_to(&query, &mut blend);
+        cache.add_usable_samples_to(&query, &mut blend);
         blend.mean().map(|light| light.x)
     }
 
@@ -271,7 +272,7 @@ mod tests {
         let is_used = |x: f64| {
             let query = Query { point: DVec3::new(x, 0.0, 0.0), normal, depth: 0, error_bound };
             let mut blend = Blend::default();
-            cache.add_to(&query, &mut blend);
+            cache.add_usable_samples_to(&query, &mut blend);
             blend.count > 0
         };
         (1..=1000).map(|i| f64::from(i) / 1000.0).take_while(|&x| is_used(x)).last().unwrap_or(0.0)

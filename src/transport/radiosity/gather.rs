@@ -69,8 +69,14 @@ impl Tracer<'_> {
         sum
     }
 
-    /// Returns the gathered light that enters a translucent solid at a point of its surface.
-    pub(in crate::transport) fn gathered_irradiance(&mut self, state: &RayState, point: DVec3, normal: DVec3) -> Rgb {
+    /// Returns the gathered light that arrives at a point of a translucent solid's surface; the caller applies the
+    /// transmittance of the surface.
+    pub(in crate::transport) fn gathered_light_into_solid(
+        &mut self,
+        state: &RayState,
+        point: DVec3,
+        normal: DVec3,
+    ) -> Rgb {
         let Some(radiosity) = &self.context.radiosity else { return Rgb::ZERO };
         let at = GatherPoint { point, normal, smooth: normal, depth: state.bounces, importance: state.weight };
         match u32::from(state.bounces) < radiosity.settings.recursion_limit {
@@ -109,8 +115,8 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let mut blend = Blend::default();
-        radiosity.cache.add_to(&query, &mut blend);
-        self.radiosity_cache.add_to(&query, &mut blend);
+        radiosity.cache.add_usable_samples_to(&query, &mut blend);
+        self.radiosity_cache.add_usable_samples_to(&query, &mut blend);
         if blend.closeness < wanted && !self.is_stopped() {
             let sample = self.gather(radiosity, at);
             self.radiosity_cache.insert(sample);

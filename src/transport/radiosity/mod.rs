@@ -73,7 +73,7 @@ impl<'w> RadiosityState<'w> {
     }
 
     /// Starts a radiosity pass, whose rules for collecting and reusing samples then apply.
-    pub fn begin(&mut self, pass: RadiosityPass) {
+    pub fn begin_pass(&mut self, pass: RadiosityPass) {
         self.pass = pass;
     }
 

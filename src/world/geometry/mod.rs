@@ -77,8 +77,8 @@ impl GeometryBuilder {
         Self { finite: Vec::with_capacity(count), infinite: vec![] }
     }
 
-    /// Adds an object. A union without clipping is split, so that each child has its own place in the hierarchy.
-    /// Properties of the union must therefore also be stored with each child.
+    /// Adds an object, unless it has neither a surface nor an inside. A union without clipping is split, so that each
+    /// child has its own place in the hierarchy. Properties of the union must therefore also be stored with each child.
     pub fn add(&mut self, object: SolidNode) {
         match object.into_parts() {
             NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
@@ -156,13 +156,13 @@ impl Geometry {
         self.finite == self.items.len() && self.unbounded.is_empty()
     }
 
-    /// Returns the closest hit in the range on the objects for which `accept` returns true. Of several hits at one
-    /// point, an infinite object wins, then the object that was declared first (quirk: `first_object_wins`).
+    /// Returns the closest hit in the range on the objects for which `accepts_object` returns true. Of several hits at
+    /// one point, an infinite object wins, then the object that was declared first (quirk: `first_object_wins`).
     #[inline]
-    pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
+    pub fn closest(&self, ray: &Ray, range: Range, accepts_object: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
         let mut range = range;
         let mut infinite = None;
-        for item in self.items[self.finite..].iter().filter(|item| accept(item.object())) {
+        for item in self.items[self.finite..].iter().filter(|item| accepts_object(item.object())) {
             if let Some(found) = item.closest(ray, range) {
                 range.max = found.t();
                 infinite = Some(found);
@@ -171,7 +171,7 @@ impl Geometry {
         let mut finite: Option<Intersection> = None;
         self.bvh.traverse(ray, range, |i, max| {
             let item = &self.items[i];
-            if accept(item.object())
+            if accepts_object(item.object())
                 && let Some(found) = item.closest(ray, Range { max, ..range })
                 && finite.is_none_or(|best| found.wins_against(&best))
             {
@@ -183,12 +183,12 @@ impl Geometry {
         finite.or(infinite)
     }
 
-    /// True if the ray hits any object in the range for which `accept` returns true.
-    pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
+    /// True if the ray hits any object in the range for which `accepts_object` returns true.
+    pub fn any(&self, ray: &Ray, range: Range, accepts_object: impl Fn(u32) -> bool) -> bool {
         let mut is_hit = false;
         self.visit_intersected_boxes(ray, range, |i, range| {
             let item = &self.items[i];
-            is_hit = accept(item.object()) && item.any(ray, range);
+            is_hit = accepts_object(item.object()) && item.any(ray, range);
             if is_hit { ControlFlow::Break(()) } else { ControlFlow::Continue(range.max) }
         });
         is_hit
@@ -196,25 +196,25 @@ impl Geometry {
 
     /// Returns true only if no ray of the shaft hits an accepted object at the distance `min` or farther away. Returns
     /// false in other cases and for many shafts without hits, because only boxes and flat faces of objects are tested.
-    /// Tests the object `last` first, which was in an earlier shaft from nearby, and stores the new one there.
+    /// Tests the object `last_occluder` first, which was in an earlier shaft from nearby, and stores the new one there.
     pub fn is_shaft_clear(
         &self,
         shaft: &Shaft,
         min: f64,
-        accept: impl Fn(u32) -> bool,
-        last: &mut Option<ShaftOccluder>,
+        accepts_object: impl Fn(u32) -> bool,
+        last_occluder: &mut Option<ShaftOccluder>,
     ) -> bool {
-        let before = last.map(|occluder| occluder.index);
+        let before = last_occluder.map(|occluder| occluder.index);
         let mut is_missed = |index: usize| {
             let item = &self.items[index];
-            if !accept(item.object()) {
+            if !accepts_object(item.object()) {
                 return true;
             }
             let (bounds, planes) = (item.bounds(), item.half_spaces());
             if !shaft.may_intersect(&bounds) || planes.iter().any(|plane| plane.shaft_exits_before(shaft, min)) {
                 return true;
             }
-            *last = Some(ShaftOccluder { index, bounds: planes.is_empty().then_some(bounds) });
+            *last_occluder = Some(ShaftOccluder { index, bounds: planes.is_empty().then_some(bounds) });
             false
         };
         let unbounded = self.finite..self.items.len();
@@ -229,18 +229,18 @@ impl Geometry {
     }
 
     /// Calls `visit` with each hit in the range on accepted objects, in no particular order, until it returns `Break`.
-    pub fn visit<'a>(
+    pub fn visit_hits<'a>(
         &'a self,
         ray: &Ray,
         range: Range,
-        accept: impl Fn(u32) -> bool,
+        accepts_object: impl Fn(u32) -> bool,
         visit: &mut dyn FnMut(Intersection<'a>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let mut flow = ControlFlow::Continue(());
         let mut list = Intersections::new();
         self.visit_intersected_boxes(ray, range, |i, range| {
             let item = &self.items[i];
-            if accept(item.object()) {
+            if accepts_object(item.object()) {
                 list.clear();
                 item.hits(ray, range, &mut list);
                 flow = list.iter().try_for_each(|found| visit(*found));
@@ -276,11 +276,11 @@ impl Geometry {
     }
 
     /// Calls `visit` with each object that contains the point, in no particular order.
-    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
+    pub fn visit_containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         let mut ask = |item: &'a Item| match item {
             Item::Solid(node) if node.inside(p) => visit(PlacedSolid { node, instance: None }),
             Item::Solid(_) => {}
-            Item::Instance(instance) => instance.shared().containing(instance.local_point(p), &mut |part| {
+            Item::Instance(instance) => instance.shared().visit_containing(instance.local_point(p), &mut |part| {
                 visit(PlacedSolid { instance: Some(instance), ..part });
             }),
         };
@@ -295,16 +295,16 @@ impl Geometry {
     }
 
     /// Calls `visit` with each object that contains a camera at the point (quirk: `camera_inside_box`).
-    pub fn containing_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
-        self.containing(p, &mut |solid| {
+    pub fn visit_containing_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
+        self.visit_containing(p, &mut |solid| {
             if solid.instance.is_some() || solid.node.contains_camera_at(p) {
                 visit(solid);
             }
         });
     }
 
-    /// Calls `visit` with the index of each object whose box the ray intersects. `visit` returns the distance up to
-    /// which further hits count.
+    /// Calls `visit` with the index of each object whose box the ray intersects, and of each infinite object. `visit`
+    /// returns the distance up to which further hits count.
     #[inline]
     fn visit_intersected_boxes(
         &self,

@@ -37,29 +37,29 @@ impl LightFilters {
 }
 
 impl Geometry {
-    /// Returns the objects that may filter the light of a shadow ray within the range, or `None` if an object occludes it
-    /// wholly; `role` returns the effect of an object by its number. Tests the object in `before` first, which occluded an
-    /// earlier ray from nearby, and stores the new occluder in `before`.
+    /// Returns the objects that may filter the light of a shadow ray within the range, or `None` if an object occludes
+    /// it wholly; `role_of_object` returns the effect of an object by its number. Tests the object in `last_occluder`
+    /// first, which occluded an earlier ray from nearby, and stores the new occluder in `last_occluder`.
     pub fn filters_unless_occluded(
         &self,
         ray: &Ray,
         range: Range,
-        role: impl Fn(u32) -> ShadowRole,
-        before: &mut Option<Blocker>,
+        role_of_object: impl Fn(u32) -> ShadowRole,
+        last_occluder: &mut Option<Blocker>,
     ) -> Option<LightFilters> {
-        if let Some(Blocker(i)) = *before {
+        if let Some(Blocker(i)) = *last_occluder {
             let item = &self.items[i];
-            if role(item.object()) == ShadowRole::Occludes && item.any(ray, range) {
+            if role_of_object(item.object()) == ShadowRole::Occludes && item.any(ray, range) {
                 return None;
             }
         }
-        *before = None;
+        *last_occluder = None;
         let mut filters = LightFilters::default();
         self.visit_intersected_boxes(ray, range, |i, range| {
             let item = &self.items[i];
-            match role(item.object()) {
+            match role_of_object(item.object()) {
                 ShadowRole::Occludes if item.any(ray, range) => {
-                    *before = Some(Blocker(i));
+                    *last_occluder = Some(Blocker(i));
                     return ControlFlow::Break(());
                 }
                 ShadowRole::Filters => filters.push(i),
@@ -67,7 +67,7 @@ impl Geometry {
             }
             ControlFlow::Continue(range.max)
         });
-        before.is_none().then_some(filters)
+        last_occluder.is_none().then_some(filters)
     }
 
     /// Appends all hits of the ray in the range on the objects that may filter its light to `out`, in no particular order.

@@ -12,7 +12,8 @@ pub struct Inherited {
     pub place: BlockSpace,
     pub texture: Option<PlacedTexture>,
     pub inside: Option<PlacedTexture>,
-    /// Number of the solids that the object's shapes cut, for shapes without a texture; see [`super::World::cuts`].
+    /// Index in [`super::World::cuts`] of the solids that the object's shapes cut; shapes without a texture show the
+    /// materials of these solids.
     pub cut: Option<u32>,
     /// True if the object and the blocks around it are inverted an odd number of times.
     pub inverted: bool,

@@ -48,10 +48,10 @@ impl Lowering {
         &mut self,
         object: &Object,
         node: &SolidNode,
-        before: LoweredCounts,
+        counts_before: LoweredCounts,
     ) -> Result<Option<Instance>> {
         let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
-        if !is_seen_as_one(&self.objects[before.objects..]) {
+        if !is_seen_as_one(&self.objects[counts_before.objects..]) {
             return Ok(None);
         }
         let address = parts.as_ptr();
@@ -66,11 +66,16 @@ impl Lowering {
             }
         };
         let Some(original) = original else { return Ok(None) };
-        if !is_copy(node, &original.node, before) {
+        if !is_copy(node, &original.node, counts_before) {
             return Ok(None);
         }
         let shared = original.shared.clone();
-        let copied = Instance::new(shared, non_identity(&object.transform), before.parts as u32, before.objects as u32);
+        let copied = Instance::new(
+            shared,
+            non_identity(&object.transform),
+            counts_before.parts as u32,
+            counts_before.objects as u32,
+        );
         Ok(Some(copied).filter(|copied| bvh::fits_single_precision(&copied.bounds())))
     }
 }
@@ -100,23 +105,24 @@ fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
     objects.iter().all(|info| info.image && info.reflection && alike(info) == alike(&objects[0]))
 }
 
-/// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on no other data.
-fn is_copy(node: &SolidNode, original: &SolidNode, before: LoweredCounts) -> bool {
+/// True if the node, whose numbers follow `counts_before`, has the same shapes as the original and depends on no other
+/// data.
+fn is_copy(node: &SolidNode, original: &SolidNode, counts_before: LoweredCounts) -> bool {
     if !node.has_no_clips_or_bounds()
         || !original.has_no_clips_or_bounds()
-        || node.object as usize != before.objects + original.object as usize
+        || node.object as usize != counts_before.objects + original.object as usize
     {
         return false;
     }
     match (node.kind(), original.kind()) {
         (SolidKind::Leaf(a), SolidKind::Leaf(b)) => {
-            let numbered = a.id as usize == before.parts + b.id as usize;
+            let numbered = a.id as usize == counts_before.parts + b.id as usize;
             numbered && a.inverse == b.inverse && a.shape.shares_with(&b.shape)
         }
         (SolidKind::Union(a), SolidKind::Union(b))
         | (SolidKind::Intersection(a), SolidKind::Intersection(b))
         | (SolidKind::Merge(a), SolidKind::Merge(b)) => {
-            let one_by_one = || a.iter().zip(b).all(|(a, b)| is_copy(a, b, before));
+            let one_by_one = || a.iter().zip(b).all(|(a, b)| is_copy(a, b, counts_before));
             a.len() == b.len() && one_by_one()
         }
         _ => false,

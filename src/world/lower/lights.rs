@@ -8,22 +8,23 @@ use crate::world;
 use crate::world::lower::place::not_finite_error;
 
 impl Lowering {
-    /// Lowers a light, and adds its `looks_like` object to the geometry.
+    /// Adds the lowered light to the lists of lights, and returns its lowered `looks_like` object; `None` for a light
+    /// without. `own` are the properties inside the light's block, `inherited` those around it.
     pub(super) fn lower_light(
         &mut self,
-        lit: &LightSource,
+        scene_light: &LightSource,
         own: &Inherited,
         inherited: &Inherited,
     ) -> Result<Option<Solid>> {
-        let mut light = lit.light.clone();
-        light.transform(&own.place.now);
+        let mut light = scene_light.light.clone();
+        light.transform(&own.place.world_from_block);
         if !light.location.is_finite() {
             return not_finite_error(light.source).map(|()| None);
         }
-        let through = match &lit.projected_through {
+        let through = match &scene_light.projected_through {
             Some(object) => {
                 let mut object = object.clone();
-                object.transform_by(&own.place.now);
+                object.transform_by(&own.place.world_from_block);
                 Some(Box::new(lower_alone(&object)?))
             }
             None => None,
@@ -38,13 +39,13 @@ impl Lowering {
         let flags = Flags { no_shadow: true, ..Flags::NONE };
         // quirk: looks_like_ignores_group
         let light_set = match inherited.light_set {
-            group if group != 0 && lit.looks_like.is_some() => {
+            group if group != 0 && scene_light.looks_like.is_some() => {
                 self.add(Group { lights: vec![], within: Some(group), global: true })
             }
             _ => 0,
         };
         let around = Inherited { place: own.place.clone(), light_set, flags, ..Inherited::default() };
-        lit.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
+        scene_light.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
     }
 
     /// Adds a light group and returns its number.

@@ -79,7 +79,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
                 Some(copied) => builder.add_instance(copied),
                 None => lowering.add_views(node, before.objects, &mut builder),
             }
-            lowering.free_number_of_split(number);
+            lowering.free_number_if_last(number);
         }
         drop(object);
         lowering.drop_unused();
@@ -199,29 +199,32 @@ impl Lowering {
         self.shared.drop_unused();
     }
 
-    /// Frees the number of an object that was split into its parts, for the next object.
-    fn free_number_of_split(&mut self, number: Option<u32>) {
+    /// Frees the number of an object that was split into its parts, for the next object; only the number given last can
+    /// be freed.
+    fn free_number_if_last(&mut self, number: Option<u32>) {
         if number.is_some_and(|number| number as usize + 1 == self.objects.len()) {
             self.objects.pop();
         }
     }
 
-    /// Lowers an object; `None` for lights and empty groups, which rays cannot hit.
+    /// Lowers an object; `None` for what rays cannot hit: a light without `looks_like`, an empty group or an empty
+    /// surface.
     fn lower_object(&mut self, object: &Object, inherited: &Inherited) -> Result<Option<Solid>> {
         let own = self.inherited_by_parts(object, inherited)?;
         let clip = self.lower_clipping_objects(object, inherited)?;
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
             ObjectKind::Shape(shape) => {
-                let shape = shape.shape_under_transform(&own.place.now);
-                let is_there = !shape.is_open() || !shape.bounds_under(&own.place.now).is_empty();
+                let shape = shape.shape_under_transform(&own.place.world_from_block);
+                let is_there = !shape.is_open() || !shape.bounds_under(&own.place.world_from_block).is_empty();
                 is_there.then(|| self.lower_shape(object, &shape, &own)).transpose()?
             }
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
         if matches!(object.kind, ObjectKind::Csg(CsgOp::Intersection | CsgOp::Difference, _)) {
-            node = node.visible_to_rays_through(transformed_box(&inherited.place.now, &object.pov_bounds()));
+            node =
+                node.visible_to_rays_through(transformed_box(&inherited.place.world_from_block, &object.pov_bounds()));
         }
         if object.uncommon.flags.inverse {
             node = node.inverted();
@@ -233,7 +236,8 @@ impl Lowering {
         Ok(Some(Solid { node: node.bounded(self.lower_bounding_objects(object, inherited)?), opaque }))
     }
 
-    /// Returns the properties that the parts of an object inherit.
+    /// Returns the properties of an object, which its parts inherit. Adds its interior, light group and photon settings
+    /// to the lists.
     fn inherited_by_parts(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
         let place = inherited.place.inside(object)?;
         let look = |painted: &Option<Painted>| inherited.place.placed_texture(painted.as_ref(), object, &place);
@@ -285,7 +289,7 @@ impl Lowering {
         around: &Inherited,
         light_set: u32,
     ) -> u32 {
-        let media = lowered_media(&interior.media, &around.place.now, light_set);
+        let media = lowered_media(&interior.media, &around.place.world_from_block, light_set);
         let number = self.add_interior(interior, hollow);
         if !media.is_empty() {
             self.media.insert(number, media);
@@ -333,7 +337,7 @@ impl Lowering {
     }
 
     fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Inherited) -> Result<Solid> {
-        let bounds = shape.bounds_under(&own.place.now);
+        let bounds = shape.bounds_under(&own.place.world_from_block);
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite_error(object.source);
         }
@@ -347,7 +351,8 @@ impl Lowering {
         let embedded: Box<[PlacedMaterial]> = embedded
             .map(|painted| {
                 let along = shape.quirks().moves_embedded_textures;
-                let transform = if along { own.place.now.clone() } else { own.place.texture_transform_of(object) };
+                let transform =
+                    if along { own.place.world_from_block.clone() } else { own.place.texture_transform_of(object) };
                 self.lower_placed_texture(&PlacedTexture { texture: painted.texture.clone(), transform })
             })
             .collect();
@@ -377,7 +382,7 @@ impl Lowering {
             no_shadow,
             source: object.source,
         });
-        let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
+        let leaf = Leaf::placed(shape.clone(), &own.place.world_from_block, id);
         let number = self.add_object(own, opaque, interior);
         Ok(Solid { node: SolidNode::leaf(leaf, number), opaque })
     }
@@ -407,24 +412,26 @@ impl Lowering {
         PlacedTexture { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
     }
 
-    fn lower_placed_texture(&mut self, look: &PlacedTexture) -> PlacedMaterial {
+    fn lower_placed_texture(&mut self, placed: &PlacedTexture) -> PlacedMaterial {
         let Self { textures, shared, materials, .. } = self;
-        let material = *textures.get_or_lower(&look.texture, |texture| {
+        let material = *textures.get_or_lower(&placed.texture, |texture| {
             materials.push(Material::new(texture, shared));
             materials.len() as u32 - 1
         });
-        let place = if self.materials[material as usize].solid { None } else { non_identity(&look.transform) };
+        let place = if self.materials[material as usize].solid { None } else { non_identity(&placed.transform) };
         PlacedMaterial { material, place }
     }
 
-    /// Appends the shapes of a group, with the material that each shows on surfaces that cut it (manual, "Cutaway
-    /// Textures", quirk: `cutaway_without_texture`).
+    /// Appends the shapes of a CSG object's parts, of a difference those of the first part only, each with the material
+    /// that it shows on surfaces that cut it; `texture` is the one around the parts. A shape without any texture has
+    /// the default texture in a union or merge, and is left out otherwise (manual, "Cutaway Textures", quirk:
+    /// `cutaway_without_texture`).
     fn collect_cutaway_materials(
         &mut self,
         op: CsgOp,
         parts: &[Object],
         around: &BlockSpace,
-        look: Option<&PlacedTexture>,
+        texture: Option<&PlacedTexture>,
         out: &mut Vec<(SolidNode, PlacedMaterial)>,
     ) -> Result<()> {
         let cut = if op == CsgOp::Difference { 1 } else { parts.len() };
@@ -432,13 +439,15 @@ impl Lowering {
         for part in parts.iter().take(cut) {
             let place = around.inside(part)?;
             let own = around.placed_texture(part.texture.as_ref(), part, &place)?;
-            let look = own.as_ref().or(look);
-            match (&part.kind, look) {
-                (ObjectKind::Csg(op, parts), look) => self.collect_cutaway_materials(*op, parts, &place, look, out)?,
-                (ObjectKind::Shape(shape), look) if look.is_some() || any => {
+            let texture = own.as_ref().or(texture);
+            match (&part.kind, texture) {
+                (ObjectKind::Csg(op, parts), texture) => {
+                    self.collect_cutaway_materials(*op, parts, &place, texture, out)?
+                }
+                (ObjectKind::Shape(shape), texture) if texture.is_some() || any => {
                     let placed =
-                        self.lower_placed_texture(&look.cloned().unwrap_or_else(|| self.default_placed_texture()));
-                    let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.now, 0), 0);
+                        self.lower_placed_texture(&texture.cloned().unwrap_or_else(|| self.default_placed_texture()));
+                    let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.world_from_block, 0), 0);
                     out.push((if part.uncommon.flags.inverse { node.inverted() } else { node }, placed));
                 }
                 _ => {}

@@ -12,7 +12,7 @@ use std::sync::Arc;
 #[derive(Clone, Default)]
 pub(super) struct BlockSpace {
     /// Transform from this space to world space.
-    pub now: SharedDefault<Transform>,
+    pub world_from_block: SharedDefault<Transform>,
 }
 
 /// A texture with its transform.
@@ -25,13 +25,13 @@ pub(super) struct PlacedTexture {
 impl BlockSpace {
     /// Returns the space inside an object's block: world from object = world from block · block from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
-        Ok(Self { now: checked_product(&object.transform, &self.now, object.source)? })
+        Ok(Self { world_from_block: checked_product(&object.transform, &self.world_from_block, object.source)? })
     }
 
     /// Returns the transform of textures that move with the object; the identity under `uv_mapping` (quirk:
     /// `uv_mapping_keeps_space`).
     pub fn texture_transform_of(&self, object: &Object) -> SharedDefault<Transform> {
-        if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
+        if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.world_from_block.clone() }
     }
 
     /// Returns an object's texture with its transform to world space; `inside` is the space inside the object's block.
@@ -45,7 +45,7 @@ impl BlockSpace {
         let transform = match since {
             Some(own) if !object.uncommon.flags.uv_mapping => {
                 let own = if own.is_identity() { SharedDefault::DEFAULT } else { (**own).into() };
-                checked_product(&own, &self.now, object.source)?
+                checked_product(&own, &self.world_from_block, object.source)?
             }
             _ => inside.texture_transform_of(object),
         };
@@ -62,7 +62,7 @@ fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) 
     }
 }
 
-/// Returns the transform `inner` followed by `outer`, or an error if the product is singular.
+/// Returns the transform `inner` followed by `outer`, or an error if the product is singular or not finite.
 fn checked_product(
     inner: &SharedDefault<Transform>,
     outer: &SharedDefault<Transform>,
@@ -76,7 +76,7 @@ fn checked_product(
     }
 }
 
-/// Returns the transform, or an error if it is singular.
+/// Returns the transform, or an error if it is singular or not finite.
 fn checked(transform: Transform, source: Span) -> Result<Transform> {
     let Transform { m, inv } = &transform;
     if !m.is_finite() {

@@ -7,9 +7,9 @@ use crate::world::node::{NodeParts, SolidKind, SolidNode};
 
 impl Lowering {
     /// Adds an object of the scene with a separate view for each kind of ray from which parts are hidden. The numbers
-    /// of the object's parts in [`Lowering::objects`] start at `first`.
-    pub(super) fn add_views(&mut self, node: SolidNode, first: usize, builder: &mut GeometryBuilder) {
-        match self.objects[first..].iter().all(|object| object.image && object.reflection) {
+    /// of the object's parts in [`Lowering::objects`] start at `first_object`.
+    pub(super) fn add_views(&mut self, node: SolidNode, first_object: usize, builder: &mut GeometryBuilder) {
+        match self.objects[first_object..].iter().all(|object| object.image && object.reflection) {
             true => builder.add(node),
             false => self.add_each_view(node, builder),
         }

@@ -47,7 +47,8 @@ impl SolidNode {
             .all(|bound| bound.inside(ray.origin) || bound.closest(ray, Range::FORWARD).is_some())
     }
 
-    /// True if this solid contains all hits of `other`, as far as boxes show.
+    /// True only if this solid contains all hits of `other`. False is no proof of the contrary, because boxes are
+    /// tested.
     fn surrounds(&self, other: &SolidNode) -> bool {
         let SolidKind::Leaf(leaf) = &self.kind else { return false };
         if !self.has_no_clips_or_bounds() || leaf.inverse || !leaf.shape.is_convex() {

@@ -141,7 +141,8 @@ impl SolidNode {
             SolidKind::Leaf(_) | SolidKind::Union(_) => false,
             SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),
         };
-        let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
+        let child_bvh =
+            ChildBvh::build_if_many(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // For many children the hierarchy is faster.
         let convex_parts = known && child_bvh.is_none();
         let boxes = Boxes { surface, solid };
@@ -149,9 +150,10 @@ impl SolidNode {
     }
 
     /// Adds clipping and bounding solids to the node, and recomputes the boxes around its surface and its inside.
+    /// Invisible parts are dropped.
     pub(super) fn add_clips_and_bounds(&mut self, clips: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounding_solids().into_iter().chain(bounds).collect();
-        let clip = self.take_clipping_solids().into_iter().chain(clips).collect();
+        let clip = self.drop_composite_and_take_clips().into_iter().chain(clips).collect();
         self.set_solids_and_boxes(clip, bounds, Box::default());
     }
 

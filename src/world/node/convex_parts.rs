@@ -21,7 +21,7 @@ impl SolidNode {
         });
         match found {
             Ok(()) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
-            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range),
+            Err(convex_interval::UnknownInterval) => self.closest_of_gathered_hits(ray, range),
         }
     }
 
@@ -33,7 +33,7 @@ impl SolidNode {
         });
         match found {
             Ok(()) => is_hit,
-            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range).is_some(),
+            Err(convex_interval::UnknownInterval) => self.closest_of_gathered_hits(ray, range).is_some(),
         }
     }
 

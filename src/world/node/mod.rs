@@ -127,9 +127,10 @@ impl SolidNode {
         self
     }
 
-    /// Returns the view of the solid without the parts of unions and merges that are `hidden`. Hidden parts remove no
-    /// others from view, but still belong to the inside of the solid (quirk: `no_image_in_union`). `None` if nothing is
-    /// hidden, so that the solid itself is the view.
+    /// Returns the view of the solid without the parts of unions and merges for which `hidden` is true, by the kind of
+    /// the union or merge and the object number of the part. Hidden parts remove no others from view, but still belong
+    /// to the inside of the solid (quirk: `no_image_in_union`). `None` if nothing is hidden, so that the solid itself
+    /// is the view.
     pub fn without_hidden_if_any(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
         let children = self.children();
         let seen: Vec<Option<Self>> = children.iter().map(|c| c.without_hidden_if_any(hidden)).collect();
@@ -183,6 +184,7 @@ impl SolidNode {
         self.composite.as_ref().map_or(&[], |composite| &composite.bounds)
     }
 
+    /// Removes the bounding solids from the node, and returns them.
     fn take_bounding_solids(&mut self) -> Box<[SolidNode]> {
         self.composite.as_mut().map_or_else(Box::default, |composite| std::mem::take(&mut composite.bounds))
     }
@@ -195,7 +197,8 @@ impl SolidNode {
         self.composite.as_ref().map_or(&[], |composite| &composite.unseen)
     }
 
-    fn take_clipping_solids(&mut self) -> Box<[SolidNode]> {
+    /// Removes all data of a composite solid from the node, and returns its clipping solids.
+    fn drop_composite_and_take_clips(&mut self) -> Box<[SolidNode]> {
         self.composite.take().map_or_else(Box::default, |composite| composite.clip)
     }
 
@@ -252,7 +255,7 @@ impl SolidNode {
             }
             _ => {
                 let mut all = GatheredHits::new();
-                self.gather(ray, range, &mut all);
+                self.gather_child_hits(ray, range, &mut all);
                 let kept =
                     all.hits.iter().filter(|(found, child)| self.is_on_surface(&all, *child as usize, ray, found.t()));
                 out.extend(kept.map(|(found, _)| Intersection { object: self.object, ..*found }));
@@ -326,7 +329,7 @@ impl SolidNode {
             SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_union(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped_union(ray, range),
             _ if self.has_convex_parts() => self.closest_of_convex_parts(ray, range),
-            _ => self.closest_survivor(ray, range),
+            _ => self.closest_of_gathered_hits(ray, range),
         }
     }
 
@@ -363,9 +366,9 @@ impl SolidNode {
     }
 
     /// Gathers the hits on the children of an intersection or merge.
-    fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut GatheredHits<'a>) {
+    fn gather_child_hits<'a>(&'a self, ray: &Ray, range: Range, all: &mut GatheredHits<'a>) {
         let children = self.children();
-        all.reserve_intervals(children.len());
+        all.add_unknown_intervals(children.len());
         let only_inside = matches!(self.kind, SolidKind::Intersection(_));
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
         self.each_child_on_ray(ray, range, |i, child, range| {
@@ -376,9 +379,9 @@ impl SolidNode {
     }
 
     /// Returns the closest hit of an intersection or merge: tests the children's hits by distance until one is kept.
-    fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+    fn closest_of_gathered_hits<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut all = GatheredHits::new();
-        self.gather(ray, range, &mut all);
+        self.gather_child_hits(ray, range, &mut all);
         // quirk: last_part_wins
         all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(j.cmp(i)));
         let kept = all.hits.iter().find(|(found, child)| {
@@ -426,7 +429,7 @@ impl SolidNode {
         }
     }
 
-    /// True if a hit on one child, at `t`, is on the surface of the composite solid.
+    /// True if a hit on one child, at `t`, is on the surface of the composite solid before clipping.
     fn is_on_surface(&self, all: &GatheredHits, child: usize, ray: &Ray, t: f64) -> bool {
         let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
         match &self.kind {
@@ -447,7 +450,8 @@ impl SolidNode {
         self.clip().iter().all(|c| c.inside(p))
     }
 
-    /// Returns the part of the range in the box and in those clipping solids that know their interval.
+    /// Returns the part of the range in the box and in those clipping solids that can compute their interval; `None` if
+    /// it is empty.
     fn range_in_box_and_clips(&self, ray: &Ray, range: Range) -> Option<Range> {
         let (min, max) = self.distances_through_box(ray, range)?;
         let within = self

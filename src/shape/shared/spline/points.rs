@@ -84,10 +84,12 @@ impl Interpolation {
     }
 }
 
-/// Reads the number of points of an outline, and the points. `block` is the shape's word.
+/// Reads the number of points of an outline, and the points. `block` is the shape's word, and `fewest` its minimum
+/// number of points.
 ///
 /// # Errors
-/// E0302 for fewer points than the interpolation needs; a diagnostic for anything that is not a point.
+/// E0302 for fewer points than the shape or the interpolation needs, and for a `bezier_spline` unless their number is a
+/// multiple of 4; a diagnostic for anything that is not a point.
 pub fn read_points(block: &str, kind: Interpolation, fewest: usize, r: &mut dyn Reader) -> Result<Vec<DVec2>> {
     let span = r.span();
     let count = r.float()?.floor();
