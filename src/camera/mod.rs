@@ -59,13 +59,23 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads the items of a `camera` block; `source` is the span of its word, and `mesh` reads the meshes of a mesh
-    /// camera.
+    /// Reads the items of a `camera` block; `source` is the span of its word, `start` the camera whose properties it starts
+    /// from (quirk: `default_camera`), `default_texture` the texture that its `normal` starts from, and `mesh` reads the meshes
+    /// of a mesh camera.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    pub fn read(r: &mut dyn Reader, source: Span, defaults: &Texture, mesh: ReadMesh) -> Result<Self> {
-        let mut povray = PovrayCamera::default();
+    pub fn read(
+        r: &mut dyn Reader,
+        source: Span,
+        start: &Camera,
+        default_texture: &Texture,
+        mesh: ReadMesh,
+    ) -> Result<Self> {
+        let mut povray = match start {
+            Camera::Povray(camera) => camera.clone(),
+            Camera::Lecture(_) => PovrayCamera::default(),
+        };
         if let Some(declared) = r.thing::<Camera>()? {
             match &*declared {
                 Camera::Povray(camera) => povray = camera.clone(),
@@ -111,13 +121,13 @@ impl Camera {
                 }
                 Next::Block("bokeh") => {
                     r.take_token()?;
-                    povray.bokeh = read_bokeh(r, defaults)?;
+                    povray.bokeh = read_bokeh(r, default_texture)?;
                     r.leave_block()?;
                 }
                 Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
                 Next::Block("normal") => {
                     r.take_token()?;
-                    povray.normal = Some(Arc::new(Normal::read(r, defaults.layers[0].normal.as_deref(), defaults)?));
+                    povray.normal = Some(Arc::new(Normal::read(r, default_texture.layers[0].normal.as_deref(), default_texture)?));
                     r.leave_block()?;
                 }
                 _ => return Err(r.unknown_word("camera", &words::camera_words()).into()),

@@ -77,6 +77,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/cam_old_order", "light_cases/cam_old_orthographic"],
     ),
     emulated_quirk(
+        "default_camera",
+        "`camera` blocks start from the properties of the camera in `#default`; without a `camera` block that camera is \
+         not used.",
+        &["light_cases/camera_default", "light_cases/camera_default_unused"],
+    ),
+    emulated_quirk(
         "fisheye_disc",
         "Where `right` or `up` has length 1, the disc of a fisheye touches the picture's edge.",
         &["light_cases/cam_fisheye", "light_cases/cam_fisheye_z_up"],

@@ -78,6 +78,8 @@ pub struct Defaults {
     pub texture: Arc<Texture>,
     /// `radiosity` block of objects that have none; `None` without a default.
     pub radiosity: Option<ObjectRadiosity>,
+    /// Camera whose properties a `camera` block starts from.
+    pub camera: Arc<Camera>,
     /// Recently read parts of objects, for deduplication.
     pub recent: Rc<RecentParts>,
 }

@@ -111,9 +111,9 @@ impl SceneBuilder {
         !self.scene.cameras.is_empty()
     }
 
-    /// Sets the camera of `#default`, which is used unless a camera follows it.
+    /// Sets the camera of `#default`, from whose properties the `camera` blocks that follow start (quirk: `default_camera`).
     pub(super) fn set_default_camera(&mut self, camera: Camera) {
-        self.scene.camera = camera;
+        self.defaults.camera = Arc::new(camera);
     }
 
     /// Sets the camera; `span` is that of the word `camera`.

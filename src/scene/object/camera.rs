@@ -18,7 +18,8 @@ const RECENT: usize = 8;
 /// A diagnostic at the first item that is not understood.
 pub fn read_camera(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Camera> {
     let mut known = vec![];
-    Camera::read(r, source, &defaults.texture, &mut |r| Ok(placed_mesh(&*Object::read(r, defaults)?, &mut known)))
+    let mut mesh = |r: &mut dyn Reader| Ok(placed_mesh(&*Object::read(r, defaults)?, &mut known));
+    Camera::read(r, source, &defaults.camera, &defaults.texture, &mut mesh)
 }
 
 /// Returns the faces of a mesh with the object's transform; other objects have no faces.
