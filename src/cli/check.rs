@@ -81,7 +81,8 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
     Ok(session::exit_code_of_run(built.limit_reached, &built.diagnostics))
 }
 
-/// Returns the warnings that `--warn` enables. The scene's own file is the first of the parsed files.
+/// Returns the warnings of `--warn unused`, `shadow` and `portable`, if the option names them. The scene's own file is the
+/// first of the parsed files.
 fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
     let asked = |what| args.warn.contains(&what);
     let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };

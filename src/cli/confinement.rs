@@ -16,8 +16,9 @@ struct FileAccess {
     write: Vec<PathBuf>,
 }
 
-/// Confines this thread, and all threads that it starts, to the files of an untrusted command. `durer watch` is not
-/// confined, since it serves a page and starts an editor.
+/// Confines this thread, and all threads that it starts, to the files of an untrusted command; does nothing for a trusted
+/// one. `durer watch` is never confined, since it serves a page and starts an editor. Prints a note if Linux has no
+/// Landlock.
 pub fn confine(console: &Console, command: &Command) {
     let Some(access) = untrusted_file_access(command) else { return };
     if !restrict_if_supported(access) && cfg!(target_os = "linux") {
@@ -25,7 +26,7 @@ pub fn confine(console: &Console, command: &Command) {
     }
 }
 
-/// Returns the files of an untrusted command; `None` if the command is trusted.
+/// Returns the files of an untrusted command; `None` if the command is trusted, or is never confined, as `durer watch`.
 fn untrusted_file_access(command: &Command) -> Option<FileAccess> {
     let scene_access = |scene: &SceneArgs, inputs: &[PathBuf]| {
         let mut access = FileAccess::default();

@@ -27,8 +27,8 @@ struct Entry {
 }
 
 impl FinishedFrames {
-    /// Opens the journal of the animation whose pictures are numbered variants of `picture`. Without `resume`, the old
-    /// journal is deleted.
+    /// Reads the journal of the animation whose pictures are numbered variants of `picture`. Without `resume`, the old
+    /// journal is deleted. A journal that the system cannot open counts as empty.
     ///
     /// # Errors
     /// If the journal is not a plain file (E0004).

@@ -115,7 +115,8 @@ impl Key {
         out.extend(sum);
     }
 
-    /// Reads the record at `record_offset`; `None` at the end of the file, and if the record is cut off.
+    /// Reads the next record of `from`, which is at `record_offset` in the file. `None` at the end of the file, if the record
+    /// is cut off, and if a record with a wrong checksum is followed by zeros to the end of the file.
     ///
     /// # Errors
     /// If the record is damaged or from another journal, or cannot be read.

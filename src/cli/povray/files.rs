@@ -42,7 +42,8 @@ impl<'s> Files<'s> {
         Diagnostic::new(codes::FORBIDDEN_FILE, span, text).help("name the scene on the command line").into()
     }
 
-    /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
+    /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`, and adds it to the stack of open INI files. A file
+    /// that is open already is an error.
     pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
         let path = self.path_here_or_beside_ini(&with_ini_extension(name), Path::is_file);

@@ -129,7 +129,7 @@ impl Settings {
         self.change(|p| p.antialias_gamma = Some(gamma))
     }
 
-    /// Sets the type of the picture file: a letter and optional bits per channel, such as `N16`.
+    /// Sets the type of the picture file: a letter, and optional bits per channel or `g` for grayscale, such as `N16` or `Ng`.
     pub fn file_type(&mut self, text: &str) -> Checked {
         let mut letters = text.chars();
         let letter = letters.next().map(|c| c.to_ascii_uppercase());
@@ -159,7 +159,7 @@ impl Settings {
         }
     }
 
-    /// Sets the bits per channel: 5 to 16, rounded up to 8 or 16.
+    /// Sets the bits per channel: 1 to 16, rounded up to 8 or 16.
     pub fn set_bits_per_channel(&mut self, text: &str) -> Checked {
         let bits = number::parse_whole_prefix(text)
             .filter(|bits| (1.0..=16.0).contains(bits))
@@ -249,8 +249,8 @@ impl Settings {
         if is_folder { name } else { name.parent().map(Path::to_path_buf).unwrap_or_default() }
     }
 
-    /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the
-    /// extension of the format.
+    /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the extension of
+    /// the format, except for devices, folders and `-` for standard output. `None` for the default name in the current folder.
     fn output_name_as_povray(&self) -> Option<String> {
         let ending = self.format.unwrap_or("png");
         let Some(name) = self.output.as_ref().filter(|name| !name.is_empty()) else {
@@ -269,7 +269,8 @@ impl Settings {
         Some(format!("{}.{ending}", name.trim_end_matches('.')))
     }
 
-    /// Returns the output file. An extension that is no picture format is a part of the name, as in POV-Ray.
+    /// Returns the output file; `None` without `+O`. An extension that is no picture format is a part of the name, as in
+    /// POV-Ray.
     fn output_name(&self) -> Option<String> {
         let name = self.output.clone().filter(|name| !name.is_empty())?;
         let path = Path::new(&name);

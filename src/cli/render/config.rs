@@ -154,7 +154,8 @@ impl Config {
     }
 }
 
-/// Returns the shard that `--shard` states or that a scheduler assigned.
+/// Returns the shard that `--shard` states or that a scheduler assigned; `None` without `--shard`. With a shard, the
+/// process will end with [`exit::Exit::TryAgain`] after the signal TERM.
 fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Resolved>> {
     let Some(choice) = args.shard else { return Ok(None) };
     if target.file().is_none() {
@@ -170,10 +171,11 @@ fn environment_variable(name: &str) -> Option<String> {
     std::env::var(name).ok()
 }
 
-/// Returns the animation that `--frames` and the INI file describe.
+/// Returns the animation that `--frames` and the INI file describe; `None` for a single picture. An error if `--frames`
+/// asks for frames that the INI file's animation does not have.
 fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Option<Animation>> {
     Ok(match (args.frames, animation) {
-        (Some(frames), Some(animation)) if !animation.has(frames.first) || !animation.has(frames.last) => {
+        (Some(frames), Some(animation)) if !animation.has_frame(frames.first) || !animation.has_frame(frames.last) => {
             let (first, last) = (animation.first, animation.end);
             return usage_error(format!(
                 "`--frames` asks for frames that do not exist: the animation goes from {first} to {last}"
@@ -209,7 +211,7 @@ fn target_within_memory_limits(input: &std::path::Path, args: &RenderArgs) -> Re
     if args.dump.is_none() {
         memory::check_pixel_count(args.scene.size())?;
         if args.scene.is_untrusted() {
-            memory::check_pixels(args.scene.size(), MAX_UNTRUSTED_PIXELS)?;
+            memory::check_pixel_limit(args.scene.size(), MAX_UNTRUSTED_PIXELS)?;
         }
     }
     let target = Target::new(input, args)?;

@@ -85,7 +85,8 @@ fn shards_beside(picture: &Path) -> Result<Vec<PathBuf>> {
     }
 }
 
-/// Opens all shards, and checks that they are of one picture and that none is missing.
+/// Opens all shards, checks that they are of one picture and that none is missing, and returns them by their numbers,
+/// which begin at 1.
 fn checked_shards(paths: &[PathBuf]) -> Result<BTreeMap<usize, ShardFile>> {
     let mut shards: BTreeMap<usize, ShardFile> = BTreeMap::new();
     for path in paths {

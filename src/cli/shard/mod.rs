@@ -77,7 +77,8 @@ pub fn path_beside(picture: &Path, shard: Shard) -> PathBuf {
     name.into()
 }
 
-/// Returns the number in the name of a picture's shard; `None` for the name of another file.
+/// Returns the shard (its number and the number of all) that the file name of a picture's shard states; `None` for the
+/// name of another file. `picture` is the picture's file name.
 pub fn shard_of_name(name: &str, picture: &str) -> Option<Shard> {
     let (index, count) = name.strip_prefix(picture)?.strip_prefix(".shard-")?.split_once("-of-")?;
     let (index, count) = (index.parse().ok()?, count.parse().ok()?);

@@ -201,10 +201,11 @@ fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
     outcome.rendered = Some(rendered);
 }
 
-/// Compares the bits of the rendered picture with those of its hash.
+/// Compares the hash of the rendered picture's bits with the known hash, and adds the result to the outcome. With `accept`,
+/// a different or missing hash is replaced.
 fn compare_hash(hashes: &mut Hashes, case: &Case, accept: bool, outcome: &mut Outcome) {
     let Some(rendered) = &outcome.rendered else { return };
-    let text = match hashes.check(&case.scene, rendered, accept) {
+    let text = match hashes.compare_and_update(&case.scene, rendered, accept) {
         HashResult::Same => return,
         HashResult::Differs if accept => "accepted: another hash",
         HashResult::Missing if accept => "accepted: a new hash",
@@ -240,7 +241,8 @@ fn result_word(outcome: &Outcome) -> ResultWord {
     }
 }
 
-/// Returns the command that accepts the rendered picture as the snapshot; `None` if the pictures do not differ.
+/// Returns the command that accepts the rendered picture as the snapshot; `None` if the test passed, or if no picture was
+/// rendered.
 fn accept_command(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
     let differs = outcome.exit == Exit::Snapshot && outcome.rendered.is_some();
     let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);
