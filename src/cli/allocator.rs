@@ -55,14 +55,14 @@ fn count_allocation(bytes: isize) {
         uncounted.set(0);
         let used = USED.fetch_add(sum, Relaxed) + sum;
         if sum > 0 && used as usize > LIMIT.load(Relaxed) {
-            end_process();
+            end_process_over_limit();
         }
     });
 }
 
 /// Reports that the memory limit is reached, and ends the process.
 #[cold]
-fn end_process() -> ! {
+fn end_process_over_limit() -> ! {
     let limit = LIMIT.swap(usize::MAX, Relaxed);
     if limit == usize::MAX {
         // Another thread is ending the process.

@@ -8,8 +8,8 @@ use crate::interpreter::Timing;
 pub struct Animation {
     /// Number of the animation's first frame, POV-Ray's `Initial_Frame`.
     pub first: u32,
-    /// Number of the animation's last frame, POV-Ray's `Final_Frame`; for a cyclic animation one more, which is not rendered
-    /// but is the value of the constant `final_frame`.
+    /// Number of the animation's last frame and value of the constant `final_frame`: POV-Ray's `Final_Frame`, and one more for
+    /// a cyclic animation, whose additional frame is rendered only if `end` includes it.
     pub last: u32,
     /// Clock of the animation's first and last frames, `Initial_Clock` and `Final_Clock`.
     pub clock: Clock,

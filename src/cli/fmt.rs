@@ -49,7 +49,7 @@ fn format_file(console: &Console, args: &FmtArgs, path: &Path) -> Result {
     let is_stdin = path.as_os_str() == "-";
     let name = if is_stdin { "<stdin>".to_string() } else { path.display().to_string() };
     let sources = Sources::default();
-    let encoded = match bytes(path, is_stdin).map_err(Into::into).and_then(format::decode) {
+    let encoded = match read_input(path, is_stdin).map_err(Into::into).and_then(format::decode) {
         Ok(encoded) => encoded,
         Err(error) => return Ok(report(console, &sources, &[file::unreadable(&Disk, path, &error)])),
     };
@@ -68,7 +68,7 @@ fn format_file(console: &Console, args: &FmtArgs, path: &Path) -> Result {
     }
 }
 
-fn bytes(path: &Path, is_stdin: bool) -> std::io::Result<Vec<u8>> {
+fn read_input(path: &Path, is_stdin: bool) -> std::io::Result<Vec<u8>> {
     if !is_stdin {
         return Disk.read(path);
     }

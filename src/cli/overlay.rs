@@ -93,8 +93,8 @@ impl Invocation {
         Ok((console, self.with_ini_defaults(ini)))
     }
 
-    /// Adds an INI file's settings where the command line states none. The scene is the INI file's; its animation, if any, is
-    /// the INI file's, with the clock of the command line.
+    /// Adds an INI file's settings where the command line states none. The scene is the INI file's. The animation of the INI
+    /// file, if there is one, replaces that of this invocation; `--clock` of the command line sets the clock of either.
     pub fn with_ini_defaults(self, ini: IniFile) -> Self {
         let Invocation { input, args, animation, .. } = ini.invocation;
         let animation = animation.or(self.animation);

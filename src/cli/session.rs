@@ -119,7 +119,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         size: (size.width, size.height),
         max_steps: args.max_steps,
         max_time: args.time_limit().map(|s| s.0),
-        max_memory: args.memory_limit().map(|b| b.0).or_else(memory::default_memory_limit),
+        max_memory: args.memory_limit_if_set().map(|b| b.0).or_else(memory::default_memory_limit),
         host: Arc::new(MeteredHost::default()),
         cancel: CancelToken::current(),
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
@@ -194,7 +194,7 @@ pub fn files_in_memory_line(built: &Built) -> Option<String> {
 /// # Errors
 /// Those of `work`, or that the time is over.
 pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> Result<T> {
-    enforce_memory_limit(args.memory_limit());
+    enforce_memory_limit(args.memory_limit_if_set());
     let deadline = Deadline::start(args.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let result = deadline.token().scope(work)?;
     let max_time = args.time_limit().map(|s| s.0);

@@ -139,9 +139,9 @@ struct State {
     new_work: Option<Work>,
     /// Key of the records; `None` before the header is written.
     key: Option<Key>,
-    /// Offsets in the file of the pixels of finished tiles, by pass and corner.
+    /// Areas of the tiles that an earlier run has finished, and offsets of their pixels in the file, by pass and corner.
     known: HashMap<(u8, usize, usize), (Region, u64)>,
-    /// Photons and radiosity samples in the file.
+    /// Photons and radiosity samples in the file that an earlier run has stored.
     light: StoredLight,
     /// Length of the header and all records in the file.
     end: u64,
@@ -215,7 +215,7 @@ impl Journal {
         }
         let (key, mut end) = (Key::of(&header), header.len() as u64);
         let (mut known, mut light) = (HashMap::new(), StoredLight::default());
-        while let Some(Record { content, length }) = key.read(&mut reader, end)? {
+        while let Some(Record { content, length }) = key.read_record(&mut reader, end)? {
             let offset = end + HEAD as u64;
             match content {
                 Content::Tile(Tile { pass, area }) => _ = known.insert((pass, area.x, area.y), (area, offset)),
@@ -251,7 +251,7 @@ impl Journal {
         let Some(key) = &state.key else { return Ok(vec![]) };
         let mut reader = reader_from_start(state.file.file()).map_err(|e| unreadable_reason(&e))?;
         let (mut at, mut tiles) = (read_header(&mut reader)?.len() as u64, vec![]);
-        while let Some(record) = key.read(&mut reader, at)? {
+        while let Some(record) = key.read_record(&mut reader, at)? {
             if let Some(tile) = record.tile().filter(|tile| tile.pass == FINAL_PASS) {
                 tiles.push((tile.area, at + HEAD as u64));
             }

@@ -16,7 +16,7 @@ pub const PARSING: &str = "==== [Parsing...] ===================================
 pub const RENDERING: &str = "==== [Rendering...] ========================================================\n";
 
 /// Returns the line that `done` of `total` pixels are rendered. As in POV-Ray, the next progress overwrites the line.
-pub fn progress(done: usize, total: usize) -> String {
+pub fn progress_line(done: usize, total: usize) -> String {
     format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
 }
 

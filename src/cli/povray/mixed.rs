@@ -51,8 +51,8 @@ pub fn first_index_and_word(words: &[OsString]) -> Option<(usize, String)> {
 }
 
 /// True if the word is a command that accepts POV-Ray's options, `render`, `check` or `pick`, and no file has this name.
-pub fn accepts_povray_words(word: &str) -> bool {
-    commands().find_subcommand(word).is_some_and(accepts_povray_options) && !Path::new(word).exists()
+pub fn accepts_povray_words(command: &str) -> bool {
+    commands().find_subcommand(command).is_some_and(accepts_povray_options) && !Path::new(command).exists()
 }
 
 fn accepts_povray_options(command: &Command) -> bool {

@@ -79,7 +79,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
                 translation = Translation::of_line(sources, &words, untrusted, user_ini.as_deref());
             }
             translation.settings.is_povray_line = translation.any_switch && translation.command.is_none();
-            translation.require_scene();
+            translation.add_missing_scene_error();
             translation.into_translated(words.first().cloned().unwrap_or_default())
         }
     }
@@ -229,7 +229,7 @@ impl<'s> Translation<'s> {
     }
 
     /// Adds an error if POV-Ray's command line names no scene.
-    fn require_scene(&mut self) {
+    fn add_missing_scene_error(&mut self) {
         let has_scene = self.settings.input.is_some() || !self.scenes.is_empty();
         if self.settings.is_povray_line && !has_scene && self.faults.is_empty() {
             let fault = Diagnostic::new(codes::NO_SCENE, Span::NONE, "no input file provided");
@@ -258,7 +258,7 @@ impl<'s> Translation<'s> {
         origin: Origin,
     ) -> Result<(), Diagnostic> {
         let value = strip_outer_quotes(value);
-        match (row.takes, switch_value(value)) {
+        match (row.takes, parse_on_off(value)) {
             (Takes::MaybeText, _) if value.is_empty() && row.has_default_text_file() => {
                 self.apply_option(row, text, "", true, origin)
             }
@@ -301,7 +301,7 @@ impl<'s> Translation<'s> {
                 Ok(())
             }
             Effect::Option(name) => {
-                check_value(name, value).map_err(|reason| wrong_value_error(text, &reason, origin))?;
+                check_if_declare(name, value).map_err(|reason| wrong_value_error(text, &reason, origin))?;
                 let value = match name {
                     "--include" => self.files.folder_path(value),
                     "--language" => {
@@ -395,8 +395,9 @@ impl<'s> Translation<'s> {
     }
 }
 
-/// Checks the value of an option before durer's own parser does, which can't report the position in an INI file.
-fn check_value(option: &str, value: &str) -> Result<(), String> {
+/// Checks the value of `--declare` before durer's own parser does, which can't report the position in an INI file. Values
+/// of other options are not checked here.
+fn check_if_declare(option: &str, value: &str) -> Result<(), String> {
     match option {
         "--declare" => value.parse::<super::args::values::Declare>().map(drop),
         _ => Ok(()),
@@ -411,11 +412,11 @@ pub fn ini_names() -> impl Iterator<Item = &'static str> {
 /// Finds the option with the longest switch at the word's start, and returns the option and its value, the rest.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
     // Try exact numbers first: `+H12abc` is a number, too, but `+HRx` is a misspelt `+HR`.
-    switch_with(word, |value| value.parse::<f64>().is_ok())
-        .or_else(|| switch_with(word, |value| number::parse_number_prefix(value).is_some()))
+    find_switch_with(word, |value| value.parse::<f64>().is_ok())
+        .or_else(|| find_switch_with(word, |value| number::parse_number_prefix(value).is_some()))
 }
 
-fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static Row, &str)> {
+fn find_switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static Row, &str)> {
     let fits = |row: &&Row| {
         let head =
             word.get(..row.switch.len()).filter(|head| !head.is_empty() && head.eq_ignore_ascii_case(row.switch));
@@ -442,7 +443,7 @@ fn strip_outer_quotes(value: &str) -> &str {
 }
 
 /// Parses a switch value: true for `on`, `true`, `yes` and `1`, false for `off`, `false`, `no` and `0`; `None` for others.
-fn switch_value(value: &str) -> Option<bool> {
+fn parse_on_off(value: &str) -> Option<bool> {
     let is = |words: [&str; 4]| words.iter().any(|w| w.eq_ignore_ascii_case(value));
     match () {
         () if is(["on", "true", "yes", "1"]) => Some(true),

@@ -92,17 +92,17 @@ impl Settings {
         self.change(|p| put(p, n as usize))
     }
 
-    pub fn clock(&mut self, text: &str) -> Checked {
+    pub fn set_clock(&mut self, text: &str) -> Checked {
         self.set_number(text, |p, x| p.clock = Some(x))
     }
 
-    pub fn antialias(&mut self, threshold: &str, on: bool) -> Checked {
+    pub fn set_antialias(&mut self, threshold: &str, on: bool) -> Checked {
         self.antialias = Some(on);
         if threshold.is_empty() { Ok(()) } else { self.set_number(threshold, |p, x| p.threshold = x) }
     }
 
     /// Sets the method of anti-aliasing, 1 or 2.
-    pub fn sampling_method(&mut self, text: &str) -> Checked {
+    pub fn set_sampling_method(&mut self, text: &str) -> Checked {
         let method = match number::parse_whole_prefix(text) {
             Some(1.0) => "grid",
             Some(2.0) => "corners",
@@ -111,18 +111,18 @@ impl Settings {
         self.change(|p| p.sampling_method = Some(method))
     }
 
-    pub fn sampling_depth(&mut self, text: &str) -> Checked {
+    pub fn set_sampling_depth(&mut self, text: &str) -> Checked {
         let depth = number::parse_whole_prefix(text).ok_or("expected a number")?;
         self.change(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
     }
 
     /// Sets the jitter of anti-aliasing; 0 and negative numbers turn it off (manual).
-    pub fn jitter(&mut self, text: &str, on: bool) -> Checked {
+    pub fn set_jitter(&mut self, text: &str, on: bool) -> Checked {
         self.jitters = Some(on);
         if text.is_empty() { Ok(()) } else { self.set_number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
     }
 
-    pub fn antialias_gamma(&mut self, text: &str) -> Checked {
+    pub fn set_antialias_gamma(&mut self, text: &str) -> Checked {
         let gamma = number::parse_number_prefix(text)
             .filter(|x| (0.1..=10.0).contains(x))
             .ok_or("expected a number from 0.1 to 10")?;
@@ -130,7 +130,7 @@ impl Settings {
     }
 
     /// Sets the type of the picture file: a letter, and optional bits per channel or `g` for grayscale, such as `N16` or `Ng`.
-    pub fn file_type(&mut self, text: &str) -> Checked {
+    pub fn set_file_type(&mut self, text: &str) -> Checked {
         let mut letters = text.chars();
         let letter = letters.next().map(|c| c.to_ascii_uppercase());
         self.is_compressed_tga = letter == Some('C');
@@ -167,18 +167,18 @@ impl Settings {
         self.change(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
     }
 
-    pub fn file_gamma(&mut self, text: &str) -> Checked {
+    pub fn set_file_gamma(&mut self, text: &str) -> Checked {
         text.parse::<FileGamma>()?;
         self.change(|p| p.file_gamma = Some(text.to_lowercase()))
     }
 
     /// Turns dithering on or off, and sets the method if one is named.
-    pub fn dither(&mut self, text: &str, on: bool) -> Checked {
+    pub fn set_dither(&mut self, text: &str, on: bool) -> Checked {
         self.dithers = on;
-        if text.is_empty() { Ok(()) } else { self.dither_method(text) }
+        if text.is_empty() { Ok(()) } else { self.set_dither_method(text) }
     }
 
-    pub fn dither_method(&mut self, text: &str) -> Checked {
+    pub fn set_dither_method(&mut self, text: &str) -> Checked {
         let known = ["b2", "b3", "b4", "d1", "d2", "fs"];
         let method = known.into_iter().find(|known| known.eq_ignore_ascii_case(text));
         let method = method.ok_or("the methods are B2, B3, B4, D1, D2 and FS")?;

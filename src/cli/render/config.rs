@@ -88,7 +88,7 @@ impl Config {
                 let is_alone = args.scene.frame.is_none() && animation.is_none();
                 // One frame rendered again replaces the file of the same frame of the animation.
                 let digits = animation.as_ref().map_or(1, |animation| animation.digits);
-                let is_exact = exact_name && !target.has_pattern() || is_alone;
+                let is_exact = exact_name && !target.has_number_pattern() || is_alone;
                 (Pictures::One(timing), if is_exact { target } else { target.numbered(timing.frame, digits) })
             }
         };
@@ -115,7 +115,7 @@ impl Config {
             resume: args.resume || shard.is_some(),
             keep_after: Duration::from_secs_f64(args.keep_after.0),
             max_time: args.scene.time_limit(),
-            max_memory: args.scene.memory_limit(),
+            max_memory: args.scene.memory_limit_if_set(),
             progress: args.progress.unwrap_or(ProgressDisplay::Auto),
             stats: args.stats,
             load_radiosity: args.load_radiosity,
@@ -173,8 +173,8 @@ fn environment_variable(name: &str) -> Option<String> {
 
 /// Returns the animation that `--frames` and the INI file describe; `None` for a single picture. An error if `--frames`
 /// asks for frames that the INI file's animation does not have.
-fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Option<Animation>> {
-    Ok(match (args.frames, animation) {
+fn animation_of(args: &RenderArgs, ini_animation: Option<Animation>) -> Result<Option<Animation>> {
+    Ok(match (args.frames, ini_animation) {
         (Some(frames), Some(animation)) if !animation.has_frame(frames.first) || !animation.has_frame(frames.last) => {
             let (first, last) = (animation.first, animation.end);
             return usage_error(format!(
@@ -216,7 +216,7 @@ fn target_within_memory_limits(input: &std::path::Path, args: &RenderArgs) -> Re
     }
     let target = Target::new(input, args)?;
     if args.dump.is_none() {
-        let limit = args.scene.memory_limit().map(|bytes| bytes.0);
+        let limit = args.scene.memory_limit_if_set().map(|bytes| bytes.0);
         memory::check_memory(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes_per_pixel(), limit)?;
     }
     Ok(target)

@@ -96,10 +96,10 @@ impl<'a> Job<'a> {
                 for (frame, shard) in frames_and_shares(animation.frames_to_render().collect(), config.shard) {
                     let target = config.target.numbered(frame, animation.digits);
                     let target = shard.map(|shard| target.of_shard(shard)).unwrap_or(target);
-                    self.render_frame(finished.as_ref(), &target, animation.timing(frame))?;
+                    self.render_unless_finished(finished.as_ref(), &target, animation.timing(frame))?;
                 }
                 // Other processes may still render their frames.
-                finished.iter().filter(|_| config.shard.is_none()).for_each(FinishedFrames::remove);
+                finished.iter().filter(|_| config.shard.is_none()).for_each(FinishedFrames::delete_journal);
                 Ok(Exit::Fine)
             }
         }
@@ -198,7 +198,7 @@ impl<'a> Job<'a> {
     }
 
     /// Renders a frame of an animation, unless the frame is already finished.
-    fn render_frame(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
+    fn render_unless_finished(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
         let (Some(finished), Some(picture)) = (finished, target.file()) else {
             return self.render(target, timing, None);
         };

@@ -128,7 +128,7 @@ impl Target {
     }
 
     /// True if the file's name contains a pattern such as `%03d` for the frame's number.
-    pub fn has_pattern(&self) -> bool {
+    pub fn has_number_pattern(&self) -> bool {
         self.file()
             .and_then(Path::file_name)
             .is_some_and(|name| number_placeholder_and_width(&name.to_string_lossy()).is_some())
@@ -237,7 +237,7 @@ fn encoding(args: &RenderArgs, format: Format, bits_per_channel: Option<u8>) -> 
         format,
         depth: bits_per_channel.unwrap_or(plain.depth),
         gray: args.gray,
-        alpha: keeps_alpha(&args.look, args),
+        alpha: may_be_transparent(&args.look, args),
         gamma: args.file_gamma.map_or(plain.gamma, |gamma| gamma.0),
         dither: args.dither.map(|method| match method {
             DitherMethod::B2 => Dither::Bayer(2),
@@ -255,9 +255,9 @@ fn encoding(args: &RenderArgs, format: Format, bits_per_channel: Option<u8>) -> 
     }
 }
 
-/// True if the file gets an alpha channel: with `--alpha`, and for the transparent pixels outside of `--region` without
-/// `--outside black`.
-fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
+/// True if the picture may have transparent pixels: with `--alpha`, and outside of `--region` without `--outside black`. The
+/// format need not be able to hold them.
+fn may_be_transparent(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some() && args.outside != Some(Outside::Black)
 }
 
