@@ -15,7 +15,7 @@ pub fn format<S: Client>(server: &mut Server<S>, params: &DocumentFormattingPara
     edits(server.document(&params.text_document.uri)?)
 }
 
-/// Returns the edits of [`format`] that touch the lines of a range.
+/// Returns the edits of [`format()`] that touch the lines of a range.
 pub fn format_range<S: Client>(
     server: &mut Server<S>,
     params: &DocumentRangeFormattingParams,
