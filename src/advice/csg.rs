@@ -150,7 +150,8 @@ fn has_no_directive(source: Span, sources: &Sources) -> bool {
     false
 }
 
-/// True if test rays hit no surface of the object, so that it is probably empty.
+/// True if test rays hit no surface of the object, so that it is probably empty. False for an object that is not examined,
+/// because its box is infinite or it has too many shapes.
 fn is_probably_empty(object: &Object) -> bool {
     if object.weight().n_shapes() > MAX_SHAPES {
         return false;

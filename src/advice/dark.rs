@@ -8,7 +8,7 @@ use crate::source::Span;
 use crate::world::{LayerColor, World};
 
 /// Returns the warning that explains why the picture, which is known to be black, is black; `None` for an empty world.
-pub(super) fn explain_black_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn known_black_picture_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     if world.geometry.is_empty() {
         return None;
     }

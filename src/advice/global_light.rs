@@ -8,7 +8,8 @@ use crate::world::{Material, Medium, World};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
-/// Returns the warning about light that was saved for another scene.
+/// Returns the warning about loaded light that was saved for another scene; `None` if no light of this kind is loaded, or
+/// if it was saved for this scene.
 pub fn foreign_saved_light_warning(world: &World, kind: LightKind) -> Option<Diagnostic> {
     let saved: Option<&SavedLight> = match kind {
         LightKind::Photons => world.photon_map.as_ref().map(|settings| &settings.saved),

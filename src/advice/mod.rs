@@ -57,7 +57,8 @@ pub fn remove_doubtful_outside_folder(diagnostics: &mut Vec<Diagnostic>, sources
     diagnostics.retain(|d| !doubts.contains(&d.code) || is_in_scene_folder(sources, scene, d.span()));
 }
 
-/// True if the span is in the scene's own file, or in a file that is beside the scene or below its folder.
+/// True if the span is in the scene's own file, or in a file that is beside the scene or below its folder. True for a span
+/// without a position.
 fn is_in_scene_folder(sources: &Sources, scene: FileId, at: Span) -> bool {
     let Some((file, _)) = sources.locate(at) else { return true };
     let folder = |file: FileId| sources.files().canonicalize(sources.path(file)?).ok()?.parent().map(Path::to_path_buf);
@@ -76,7 +77,7 @@ pub struct Circumstances {
     pub black: bool,
 }
 
-/// Returns warnings about a rendered picture.
+/// Returns warnings about a rendered picture; none about a tiny picture, and few about a region.
 pub fn picture_warnings(world: &World, options: &render::Options, circumstances: Circumstances) -> Vec<Diagnostic> {
     let mut out = vec![];
     if options.width.min(options.height) < TINY {
@@ -91,7 +92,7 @@ pub fn picture_warnings(world: &World, options: &render::Options, circumstances:
     if !circumstances.one_of_many {
         out.extend(
             unseen::no_object_visible_warning(world, options)
-                .or_else(|| circumstances.black.then(|| dark::explain_black_picture(world, options)).flatten()),
+                .or_else(|| circumstances.black.then(|| dark::known_black_picture_warning(world, options)).flatten()),
         );
     }
     out

@@ -63,7 +63,7 @@ fn rays_beside_pixel_centers(world: &World, options: &render::Options) -> impl I
     })
 }
 
-/// Returns the pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
+/// Returns the pairs of parts whose surfaces coincide at the first hit of a ray, as part indices with the smaller one first.
 fn first_hit_coincident_pairs(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id)) else { return vec![] };

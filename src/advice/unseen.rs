@@ -14,6 +14,8 @@ const SAMPLES: usize = 200;
 /// Offset of a pixel's centre from the pixel's top left corner.
 const CENTRE: f64 = 0.5;
 
+/// Returns the warning about a picture that shows only the background, or only the inside of objects around the camera;
+/// `None` if a ray hits another object.
 pub(super) fn no_object_visible_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let (eye, at_eye) = (world.eye.frame.origin, opaque_objects_containing(world, world.eye.frame.origin));
     // Rays of some cameras have their own origins.
@@ -71,10 +73,10 @@ fn first_visible_hit<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>
     world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id))
 }
 
-/// Returns the indices of the opaque objects that contain the camera.
-fn opaque_objects_containing(world: &World, eye: DVec3) -> FxHashSet<u32> {
+/// Returns the indices of the opaque objects that contain a point and are visible to the camera.
+fn opaque_objects_containing(world: &World, point: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
-    world.geometry.visit_containing(eye, &mut |item| {
+    world.geometry.visit_containing(point, &mut |item| {
         if world.objects.get(item.object() as usize).is_some_and(|o| o.image && o.opaque) {
             out.insert(item.object());
         }

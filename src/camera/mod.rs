@@ -127,7 +127,8 @@ impl Camera {
                 Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
                 Next::Block("normal") => {
                     r.take_token()?;
-                    povray.normal = Some(Arc::new(Normal::read(r, default_texture.layers[0].normal.as_deref(), default_texture)?));
+                    povray.normal =
+                        Some(Arc::new(Normal::read(r, default_texture.layers[0].normal.as_deref(), default_texture)?));
                     r.leave_block()?;
                 }
                 _ => return Err(r.unknown_word("camera", &words::camera_words()).into()),

@@ -22,7 +22,7 @@ thread_local! {
     static UNCOUNTED: Cell<isize> = const { Cell::new(0) };
 }
 
-/// Global allocator that counts the bytes in use.
+/// Global allocator that counts the bytes in use, and ends the process above the limit of [`end_process_above_bytes`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Metered;
 
@@ -31,7 +31,8 @@ pub fn end_process_above_bytes(bytes: Option<u64>) {
     LIMIT.store(bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX), Relaxed);
 }
 
-/// Returns the number of bytes that the process has allocated and not freed.
+/// Returns the number of bytes that the process has allocated and not freed; 0 if [`Metered`] is not the program's
+/// allocator.
 fn allocated_bytes() -> usize {
     USED.load(Relaxed).max(0) as usize
 }
@@ -42,7 +43,8 @@ const fn size_with_overhead(size: usize) -> isize {
     (size.saturating_add(8 + 15) & !15) as isize
 }
 
-/// Adds to the common count of allocated bytes; `bytes` is negative for memory that is freed.
+/// Adds to the count of allocated bytes, and ends the process if the count is above the limit. `bytes` is negative for
+/// memory that is freed.
 fn count_allocation(bytes: isize) {
     // A thread that ends has no count any more; what it frees then is negligible.
     let _ = UNCOUNTED.try_with(|uncounted| {
@@ -53,14 +55,14 @@ fn count_allocation(bytes: isize) {
         uncounted.set(0);
         let used = USED.fetch_add(sum, Relaxed) + sum;
         if sum > 0 && used as usize > LIMIT.load(Relaxed) {
-            end_process();
+            end_process_over_limit();
         }
     });
 }
 
 /// Reports that the memory limit is reached, and ends the process.
 #[cold]
-fn end_process() -> ! {
+fn end_process_over_limit() -> ! {
     let limit = LIMIT.swap(usize::MAX, Relaxed);
     if limit == usize::MAX {
         // Another thread is ending the process.

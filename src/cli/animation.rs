@@ -8,8 +8,8 @@ use crate::interpreter::Timing;
 pub struct Animation {
     /// Number of the animation's first frame, POV-Ray's `Initial_Frame`.
     pub first: u32,
-    /// Number of the animation's last frame, POV-Ray's `Final_Frame`. A cyclic animation has one frame more, which the
-    /// constant `final_frame` includes.
+    /// Number of the animation's last frame and value of the constant `final_frame`: POV-Ray's `Final_Frame`, and one more for
+    /// a cyclic animation, whose additional frame is rendered only if `end` includes it.
     pub last: u32,
     /// Clock of the animation's first and last frames, `Initial_Clock` and `Final_Clock`.
     pub clock: Clock,
@@ -24,13 +24,13 @@ pub struct Animation {
 }
 
 impl Animation {
-    /// Creates the animation of the option `--frames A-B:STEP`.
+    /// Creates the animation of the option `--frames A-B:STEP`, with a clock from 0 to 1.
     pub fn new(frames: Frames) -> Self {
         let Frames { first, last, step, digits } = frames;
         Self { first, last, clock: Clock { first: 0.0, last: 1.0 }, start: first, end: last, step, digits }
     }
 
-    /// Restricts the animation to some frames, which keep their clock.
+    /// Returns the animation with other frames to render, which keep their clock. Does not check that the animation has them.
     pub fn restricted_to(&self, frames: Frames) -> Self {
         let Frames { first, last, step, digits } = frames;
         Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
@@ -41,8 +41,9 @@ impl Animation {
         (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
     }
 
-    /// True if the animation has the frame of this number. Frames after `last` count only up to `end`.
-    pub fn has(&self, frame: u32) -> bool {
+    /// True if the animation has the frame of this number, whether this run renders the frame or not. Frames after `last`
+    /// count only up to `end`.
+    pub fn has_frame(&self, frame: u32) -> bool {
         (self.first..=self.last.max(self.end)).contains(&frame)
     }
 
@@ -121,6 +122,6 @@ mod tests {
         assert_eq!(part.frames_to_render().collect::<Vec<_>>(), [7, 9]);
         assert_eq!(part.timing(7), all.timing(7));
         assert_eq!(part.digits, 2);
-        assert!(!part.has(31) && !part.has(0) && part.has(30));
+        assert!(!part.has_frame(31) && !part.has_frame(0) && part.has_frame(30));
     }
 }

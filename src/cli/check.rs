@@ -22,7 +22,7 @@ pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) ->
     let inputs = Inputs::collect(&args.inputs)?;
     let human = args.format == CheckFormat::Human;
     if let ([input], false) = (&inputs.all[..], inputs.several) {
-        let exit = check(console, args, &animation, input)?;
+        let exit = check_scene(console, args, &animation, input)?;
         // A program reads the exit code; a person would see no output.
         if human && console.terminal && exit == Exit::Fine {
             console.info(&summary::scene_line(
@@ -35,11 +35,11 @@ pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) ->
     }
     let print = |line: &str| if human && !console.quiet { console.write_to_stdout(line) } else { Ok(()) };
     summary::process_each(console, &inputs.all, print, |console, input| {
-        Ok((check(console, args, &animation, input)?, String::new()))
+        Ok((check_scene(console, args, &animation, input)?, String::new()))
     })
 }
 
-fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, input: &Path) -> Result {
+fn check_scene(console: &Console, args: &CheckArgs, animation: &Option<Animation>, input: &Path) -> Result {
     let sources = Sources::default();
     let invocation = Invocation::without_picture(input, &args.scene, animation.clone());
     let invocation = match overlay::read_ini(&sources, input, &args.scene, args.warn.contains(&Warn::Options)) {
@@ -63,7 +63,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
         Err(other) => return Err(other),
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
-    session::enforce_memory_limit(scene.memory_limit());
+    session::enforce_memory_limit(scene.memory_limit_if_set());
     let deadline = Deadline::start(scene.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let parsed = ParsedFiles::default();
@@ -73,7 +73,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
     drop(deadline);
     let scene = built.scene.as_ref().filter(|_| doubtful);
     built.diagnostics.extend(scene.map(|scene| advice::doubtful_scene_warnings(scene, &sources)).unwrap_or_default());
-    built.diagnostics.extend(lint(args, &sources, &parsed));
+    built.diagnostics.extend(requested_lint_warnings(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
     }
@@ -81,8 +81,9 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
     Ok(session::exit_code_of_run(built.limit_reached, &built.diagnostics))
 }
 
-/// Returns the warnings that `--warn` enables. The scene's own file is the first of the parsed files.
-fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
+/// Returns the warnings of `--warn unused`, `shadow` and `portable`, if the option names them. The scene's own file is the
+/// first of the parsed files.
+fn requested_lint_warnings(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
     let asked = |what| args.warn.contains(&what);
     let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };
     let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();

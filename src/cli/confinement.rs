@@ -16,8 +16,9 @@ struct FileAccess {
     write: Vec<PathBuf>,
 }
 
-/// Confines this thread, and all threads that it starts, to the files of an untrusted command. `durer watch` is not
-/// confined, since it serves a page and starts an editor.
+/// Confines this thread, and all threads that it starts, to the files of an untrusted command; does nothing for a trusted
+/// one. `durer watch` is never confined, since it serves a page and starts an editor. Prints a note if Linux has no
+/// Landlock.
 pub fn confine(console: &Console, command: &Command) {
     let Some(access) = untrusted_file_access(command) else { return };
     if !restrict_if_supported(access) && cfg!(target_os = "linux") {
@@ -25,7 +26,7 @@ pub fn confine(console: &Console, command: &Command) {
     }
 }
 
-/// Returns the files of an untrusted command; `None` if the command is trusted.
+/// Returns the files of an untrusted command; `None` if the command is trusted, or is never confined, as `durer watch`.
 fn untrusted_file_access(command: &Command) -> Option<FileAccess> {
     let scene_access = |scene: &SceneArgs, inputs: &[PathBuf]| {
         let mut access = FileAccess::default();
@@ -42,7 +43,7 @@ fn untrusted_file_access(command: &Command) -> Option<FileAccess> {
             };
             access.read.extend(args.prepared.iter().chain(&args.load_radiosity).cloned());
             let files = args.output.iter().chain(&args.deps).chain(stats).chain(&args.save_radiosity);
-            access.write = files.map(|path| written_folder(path)).collect();
+            access.write = files.map(|path| folder_written_to(path)).collect();
             if args.output.is_none() {
                 access.write.push(".".into());
             }
@@ -50,7 +51,7 @@ fn untrusted_file_access(command: &Command) -> Option<FileAccess> {
         }
         Command::Prepare(args) => {
             let mut access = scene_access(&args.scene, std::slice::from_ref(&args.input))?;
-            access.write.push(args.output.as_deref().map_or(PathBuf::from("."), written_folder));
+            access.write.push(args.output.as_deref().map_or(PathBuf::from("."), folder_written_to));
             Some(access)
         }
         Command::Check(args) => scene_access(&args.scene, &args.inputs),
@@ -64,7 +65,7 @@ fn untrusted_file_access(command: &Command) -> Option<FileAccess> {
                 .flat_map(|path| paths_readable_for_input(path))
                 .chain(args.include.iter().cloned())
                 .collect();
-            let snapshots = paths.iter().filter(|_| args.accept).map(|path| written_folder(path));
+            let snapshots = paths.iter().filter(|_| args.accept).map(|path| folder_written_to(path));
             let write = snapshots.chain(args.report.iter().map(|folder| parent_or_current_folder(folder))).collect();
             environment_is_untrusted().then_some(FileAccess { read, write })
         }
@@ -81,7 +82,7 @@ fn paths_readable_for_input(input: &Path) -> Vec<PathBuf> {
 }
 
 /// Returns the folder that a file is written into; `path` itself if it is a folder.
-fn written_folder(path: &Path) -> PathBuf {
+fn folder_written_to(path: &Path) -> PathBuf {
     if path.is_dir() { path.into() } else { parent_or_current_folder(path) }
 }
 

@@ -29,7 +29,7 @@ pub enum Dialect {
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
-    /// Numbers of errors and warnings that the console and its clones have printed since the last `take_count`.
+    /// Numbers of errors and warnings that the console and its clones have printed since the last `take_message_count`.
     printed: Arc<Mutex<Count>>,
     /// True while one of several scenes is processed. The number of messages is then printed on the scene's line.
     among_several: bool,
@@ -76,7 +76,8 @@ impl Console {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
 
-    /// Returns this console with the output format of a program. Programs that start POV-Ray may expect ASCII characters.
+    /// Returns this console with the output format of a program. In that of POV-Ray, messages are ASCII unless stderr is a
+    /// terminal.
     pub fn with_dialect(self, dialect: Dialect) -> Self {
         let style = draw::Style { ascii: dialect == Dialect::Povray && !self.terminal, ..self.style };
         Self { dialect, style, ..self }
@@ -101,7 +102,7 @@ impl Console {
         self.among_several
     }
 
-    /// Returns the number of messages since the last call.
+    /// Returns the numbers of errors and warnings that this console and its clones have printed, and sets them to 0.
     pub fn take_message_count(&self) -> Count {
         std::mem::take(&mut self.printed.lock().unwrap_or_else(PoisonError::into_inner))
     }
@@ -124,13 +125,14 @@ impl Console {
         })
     }
 
-    /// Writes a message to stderr, unless `--quiet` is given.
+    /// Writes a note to stderr as text of POV-Ray's render stream, unless `--quiet` is given or the stream is silent, and
+    /// copies the note into the stream's files.
     pub fn info(&self, text: &str) {
         self.print_to_povray_stream(Stream::Render, text);
     }
 
-    /// Writes the text of one of POV-Ray's streams to stderr, unless the stream is silent, and copies the text into the
-    /// stream's files.
+    /// Writes the text of one of POV-Ray's streams to stderr, unless `--quiet` is given or the stream is silent, and copies
+    /// the text into the stream's files in any case.
     pub fn print_to_povray_stream(&self, stream: Stream, text: &str) {
         self.text_files.write(stream, text);
         if !self.quiet && !self.silent.contains(&stream) {
@@ -157,8 +159,8 @@ impl Console {
         }
     }
 
-    /// Writes POV-Ray's statistics of a picture to stderr, unless `-GA` or `-GS` silences them; only for POV-Ray's command
-    /// line.
+    /// Writes POV-Ray's statistics of a picture to stderr, if [`Self::has_povray_lines`] and unless `-GA` or `-GS` silences
+    /// them; copies them to the text files in any case.
     pub fn print_povray_statistics(&self, text: &str) {
         if self.has_povray_lines() {
             self.print_to_povray_stream(Stream::Statistics, text);
@@ -167,7 +169,8 @@ impl Console {
         }
     }
 
-    /// Formats diagnostics for a person, errors first, followed by their number, which is added to the console's count.
+    /// Formats the diagnostics that the console prints for a person, errors first, and adds their number to the console's
+    /// count. If there are several, their number is the last line, except for a scene among several.
     pub fn format_and_count(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         let of = |severity| move |d: &&Diagnostic| d.severity == severity;
         let errors = diagnostics.iter().filter(of(Severity::Error));
@@ -185,7 +188,7 @@ impl Console {
         if self.style.ascii { client_lines::replace_message_symbols(&text) } else { text }
     }
 
-    /// Writes diagnostics as rendered by [`Console::format_and_count`] to stderr.
+    /// Writes diagnostics as rendered by [`Console::format_and_count`] to stderr, and copies them to the text files.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
         self.copy_diagnostics_to_files(sources, diagnostics);
         print_message(&self.format_and_count(sources, diagnostics));
@@ -212,19 +215,20 @@ impl Console {
         }
     }
 
-    /// Writes diagnostics to stdout for programs, one JSON object a line.
+    /// Writes all diagnostics to stdout for programs, one JSON object a line, also warnings with `--quiet`.
     pub fn report_json_to_stdout(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         diagnostics.iter().try_for_each(|d| self.write_json_to_stdout(&as_json(sources, d)))
     }
 
-    /// Writes diagnostics to stdout for editors, one a line: `a.scene:3:7: error[E0204]: message`.
+    /// Writes diagnostics to stdout for editors, one a line: `a.scene:3:7: error[E0204]: message`. With `--quiet`, only errors.
     pub fn report_short_to_stdout(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         let wanted = |d: &&Diagnostic| !self.quiet || d.severity == Severity::Error;
         let lines: String = diagnostics.iter().filter(wanted).map(|d| d.line(sources) + "\n").collect();
         self.write_to_stdout(lines)
     }
 
-    /// Prints the reason of a failure, and returns the exit code.
+    /// Prints the reason of a failure, unless it is printed already, and returns the exit code. The texts of `--help` and
+    /// `--version` are failures, too, with the exit code of success.
     pub fn print_failure(&self, failure: Failure) -> Exit {
         match failure {
             Failure::Usage(error) => {
@@ -242,7 +246,7 @@ impl Console {
         }
     }
 
-    /// Returns the exit code of a failure, and the text to print.
+    /// Returns the exit code of a failure, and the text to print; empty if the reason is printed already. Counts the message.
     pub fn exit_and_text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
         match failure {
             Failure::Reported(exit) => (exit, String::new()),

@@ -76,7 +76,8 @@ pub fn request_retry_on_term() {
 }
 
 impl Exit {
-    /// Returns the number of the exit code. POV-Ray has 0 for success, 1 for errors, and 2 for an interruption.
+    /// Returns the number with which the process ends. After [`use_povray_codes`], 0 is success, 1 any error, and 2 the end by
+    /// a signal. After [`request_retry_on_term`], the signal TERM has the number of [`Exit::TryAgain`].
     pub fn number(self) -> u8 {
         match self {
             Self::Terminated if ASKS_FOR_ANOTHER_TRY.load(Relaxed) => Self::TryAgain as u8,
@@ -92,7 +93,8 @@ impl Exit {
         SIGNALS.iter().any(|signal| signal.exit == self)
     }
 
-    /// Returns the exit code for an error outside of the scene's text.
+    /// Returns the exit code for an error with this diagnostic code: [`Exit::Scene`], unless the error is about a file, a
+    /// limit or the command line.
     pub fn of(code: Code) -> Exit {
         match code {
             codes::FILE_NOT_FOUND | codes::FILE_UNREADABLE | codes::FILE_UNWRITABLE | codes::PICTURE_BROKEN => {
@@ -111,7 +113,7 @@ impl Exit {
 pub enum Failure {
     /// An error without a position in a text, which is not reported yet.
     Fault(Fault),
-    /// An error of the command line, which clap prints.
+    /// An error of the command line, or the text of `--help` or `--version`, which clap prints.
     Usage(Box<clap::Error>),
     /// Failure of a command whose messages are all printed already.
     Reported(Exit),

@@ -25,8 +25,8 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     Ok(Exit::Fine)
 }
 
-/// Returns the codes that a text names: `E0203`, or for a number without a letter both the error and the warning.
-/// Leading zeros are optional, and the code may be inside a message: `error[E0203]`.
+/// Returns the explanations of the codes that a text names: `E0203`, or for a number without a letter both the error and
+/// the warning. Leading zeros are optional, and the code may be in brackets: `error[E0203]`. Empty if no such code exists.
 fn explanations_named_in(wanted: &str) -> Vec<&'static Explanation> {
     let wanted = wanted.trim();
     let wanted = wanted.split_once('[').map_or(wanted, |(_, code)| code.trim_end_matches([':', ']']));
@@ -37,7 +37,8 @@ fn explanations_named_in(wanted: &str) -> Vec<&'static Explanation> {
     letters.into_iter().filter_map(|letter| codes::find_explanation(&format!("{letter}{number:04}"))).collect()
 }
 
-/// Returns the code with the nearest number, preferably of the same letter.
+/// Returns the code with the nearest number, among those of the same letter if there are any; `None` if the text has no
+/// number.
 fn code_of_nearest_number(wanted: &str) -> Option<&'static Explanation> {
     let number = |code: &str| code.trim_matches(|c: char| !c.is_ascii_digit()).parse::<i64>().ok();
     let (letter, wanted) = (wanted.chars().next()?.to_ascii_uppercase(), number(wanted)?);

@@ -13,14 +13,15 @@ use std::path::{Path, PathBuf};
 /// Formats all named files; the worst result determines the exit code.
 pub fn run(console: &Console, args: &FmtArgs) -> Result {
     let mut worst = Exit::Fine;
-    for path in files(&args.paths)? {
+    for path in files_to_format(&args.paths)? {
         worst = worst.max(format_file(console, args, &path)?);
     }
     Ok(worst)
 }
 
-/// Replaces folders by their files, sorted by name, and removes duplicates.
-fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
+/// Replaces folders by the scenes and include files below them, sorted by name, and removes duplicates. Without names,
+/// returns the files below the current folder.
+fn files_to_format(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let here = [PathBuf::from(".")];
     let mut all = vec![];
     for path in if named.is_empty() { &here } else { named } {
@@ -48,7 +49,7 @@ fn format_file(console: &Console, args: &FmtArgs, path: &Path) -> Result {
     let is_stdin = path.as_os_str() == "-";
     let name = if is_stdin { "<stdin>".to_string() } else { path.display().to_string() };
     let sources = Sources::default();
-    let encoded = match bytes(path, is_stdin).map_err(Into::into).and_then(format::decode) {
+    let encoded = match read_input(path, is_stdin).map_err(Into::into).and_then(format::decode) {
         Ok(encoded) => encoded,
         Err(error) => return Ok(report(console, &sources, &[file::unreadable(&Disk, path, &error)])),
     };
@@ -67,7 +68,7 @@ fn format_file(console: &Console, args: &FmtArgs, path: &Path) -> Result {
     }
 }
 
-fn bytes(path: &Path, is_stdin: bool) -> std::io::Result<Vec<u8>> {
+fn read_input(path: &Path, is_stdin: bool) -> std::io::Result<Vec<u8>> {
     if !is_stdin {
         return Disk.read(path);
     }
@@ -88,7 +89,8 @@ fn diff(name: &str, old: &str, new: &str) -> String {
     diff.unified_diff().header(name, &format!("{name} (formatted)")).to_string()
 }
 
-/// Writes the formatted text `new` to its file or to stdout; with `--check` or `--diff`, reports the changes only.
+/// Writes the formatted text `new` to its file or to stdout; with `--check` or `--diff`, reports the changes only. With
+/// `--check`, a change gives the exit code of an error.
 fn write_formatted(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &str) -> Result {
     let is_same = old.text == new;
     let name = path.display().to_string();

@@ -16,7 +16,8 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Collects the scenes that a command line names, also those in folders. Missing files are reported later.
+    /// Collects the scenes that a command line names, also those in folders. A folder without scenes is an error; missing
+    /// files are reported later.
     pub fn collect(named: &[PathBuf]) -> Result<Self> {
         let mut all = Vec::new();
         for input in named {

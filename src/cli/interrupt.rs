@@ -130,7 +130,7 @@ pub fn acknowledge_cancellation() {
 pub struct Cleanup(());
 
 impl Cleanup {
-    /// Registers a task that runs if the process ends early.
+    /// Registers the one task that runs if the process ends early, in place of an earlier task.
     pub fn register(task: impl Fn() + Send + 'static) -> Self {
         *lock(&CLEANUP) = Some(Box::new(task));
         Self(())
@@ -264,7 +264,7 @@ impl Deadline {
         Self { token, is_done, timer }
     }
 
-    /// Returns the token that is cancelled at the end of the time limit.
+    /// Returns the token that is cancelled at the end of the time limit and by a signal.
     pub fn token(&self) -> &CancelToken {
         &self.token
     }

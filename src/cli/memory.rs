@@ -11,20 +11,21 @@ const MAX_PIXELS: u128 = 1 << 36;
 
 /// Refuses a picture with more than [`MAX_PIXELS`] (E0006).
 pub fn check_pixel_count(size: Size) -> Result<()> {
-    check_pixels(size, MAX_PIXELS)
+    check_pixel_limit(size, MAX_PIXELS)
 }
 
-/// Refuses a picture with more than `most` pixels (E0006).
-pub fn check_pixels(size: Size, most: u128) -> Result<()> {
-    if size.width as u128 * size.height as u128 <= most {
+/// Refuses a picture with more than `max_pixels` pixels (E0006).
+pub fn check_pixel_limit(size: Size, max_pixels: u128) -> Result<()> {
+    if size.width as u128 * size.height as u128 <= max_pixels {
         return Ok(());
     }
-    let text = format!("a picture of {}x{} is too large: {most} pixels are the most", size.width, size.height);
+    let text = format!("a picture of {}x{} is too large: {max_pixels} pixels are the most", size.width, size.height);
     Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help("make it smaller with `--size`").into()
 }
 
-/// Refuses a picture, or a part of it, that needs more memory than `limit` (`--max-memory`) or than is free (E0006).
-/// Each pixel occupies `bytes_per_pixel` bytes until the file is finished.
+/// Refuses a picture, or a part of it, that needs more memory in bytes than `limit` (`--max-memory`), or without a limit
+/// than is free, or more than the system can allocate (E0006). Each pixel of the whole picture occupies `bytes_per_pixel`
+/// bytes until the file is finished.
 pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, limit: Option<u64>) -> Result<()> {
     check_pixel_count(size)?;
     let Size { width, height } = size;
@@ -49,8 +50,8 @@ pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, li
     }
 }
 
-/// Returns the memory limit without `--max-memory`: most of the free memory, so that a runaway scene ends with a
-/// message before the system kills the process.
+/// Returns the memory limit without `--max-memory`, in bytes: most of the free memory, so that a runaway scene ends with
+/// a message before the system kills the process. `None` if the system does not report the free memory.
 pub fn default_memory_limit() -> Option<u64> {
     let most = free_memory().map(|free| free / 10 * 9);
     // A growing list is copied: in a limited address space the old and the new copy both count.

@@ -61,7 +61,7 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
         let mut console = Console::before_arguments();
-        let exit = match parse(words, &mut console) {
+        let exit = match parse_command_line(words, &mut console) {
             Ok((command, context)) => dispatch(&console, &command, context),
             Err(failure) => Err(failure),
         };
@@ -72,9 +72,9 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
     ExitCode::from(exit.number())
 }
 
-/// Parses the command line after translating POV-Ray's options, and configures the console. The returned context holds
-/// settings for which durer has no option.
-fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
+/// Parses the command line after translating POV-Ray's options, configures the console, and reports the warnings about
+/// POV-Ray's options. The returned context holds settings for which durer has no option.
+fn parse_command_line(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
     if !povray::is_named_povray(&words) {
         unknown::check_command_name(&words)?;
     }
@@ -92,7 +92,7 @@ fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Contex
         *console = Console::before_arguments().with_dialect(dialect);
     }
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
-        return Err(overlay::report(console, &sources, &diagnostics));
+        return Err(overlay::report_as_failure(console, &sources, &diagnostics));
     }
     let Cli { common, command } = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
     *console = Console::new(&common).with_dialect(dialect);

@@ -14,7 +14,7 @@ pub const STARTER: &str = include_str!("starter.scene");
 
 /// Writes the new scene; an existing file is not overwritten.
 pub fn run(console: &Console, args: &NewArgs) -> Result {
-    let path = path(args)?;
+    let path = new_scene_path(args)?;
     let name = path.display();
     let mut new = match OpenOptions::new().write(true).create_new(true).open(&path) {
         Ok(new) => new,
@@ -33,7 +33,7 @@ pub fn run(console: &Console, args: &NewArgs) -> Result {
 }
 
 /// Returns the path of the new scene, with `.scene` appended unless it has a scene's extension.
-fn path(args: &NewArgs) -> Result<PathBuf> {
+fn new_scene_path(args: &NewArgs) -> Result<PathBuf> {
     let path = &args.name;
     let Some(name) = path.file_name().filter(|_| !path.to_string_lossy().ends_with(['/', '\\'])) else {
         return usage_error(format!("`{}` is not a file name; type, for example, `durer new hall`", path.display()));

@@ -85,7 +85,7 @@ impl Invocation {
         let ini = match read_ini(sources, &self.input, &self.args.scene, !self.args.warn.is_empty()) {
             Ok(None) => return Ok((console.clone(), self)),
             Ok(Some(ini)) => ini,
-            Err(faults) => return Err(report(console, sources, &faults)),
+            Err(faults) => return Err(report_as_failure(console, sources, &faults)),
         };
         let mut console = console.clone();
         console.quiet |= ini.quiet;
@@ -93,7 +93,8 @@ impl Invocation {
         Ok((console, self.with_ini_defaults(ini)))
     }
 
-    /// Adds an INI file's settings where the command line states none.
+    /// Adds an INI file's settings where the command line states none. The scene is the INI file's. The animation of the INI
+    /// file, if there is one, replaces that of this invocation; `--clock` of the command line sets the clock of either.
     pub fn with_ini_defaults(self, ini: IniFile) -> Self {
         let Invocation { input, args, animation, .. } = ini.invocation;
         let animation = animation.or(self.animation);
@@ -106,15 +107,16 @@ impl Invocation {
     }
 }
 
-/// Reports errors and warnings, and returns a failure with the exit code of the first error.
-pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Failure {
+/// Reports errors and warnings, and returns a failure with the exit code of the first error; that of a wrong command line
+/// if there is no error.
+pub fn report_as_failure(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Failure {
     console.report(sources, faults);
     let first = faults.iter().find(|d| d.severity == Severity::Error);
     Failure::Reported(first.map_or(Exit::Usage, |d| Exit::of(d.code)))
 }
 
 impl RenderArgs {
-    /// Fills in the INI file's options where these options are absent.
+    /// Fills in the INI file's options where these options are absent. The inputs are the INI file's.
     fn with_ini_defaults(self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
             inputs: ini.inputs,

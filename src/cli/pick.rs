@@ -115,7 +115,7 @@ pub(super) fn pixel_in_words(sources: &Sources, picked: Option<&Picked>, linear_
     PixelReport { sources, built: None, color: linear_rgb }.in_words(picked, None)
 }
 
-/// Returns the colour of one pixel without anti-aliasing.
+/// Returns the linear colour of one pixel without anti-aliasing; black if rendering fails.
 fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f64; 3] {
     let region = Some(Region { x, y, width: 1, height: 1 });
     let rendered = render::render(world, &render::Options { region, ..drawing.clone() }, &Unwatched);

@@ -106,7 +106,7 @@ fn prepare(
     output: &Path,
 ) -> Result {
     let start = Instant::now();
-    session::enforce_memory_limit(args.scene.memory_limit());
+    session::enforce_memory_limit(args.scene.memory_limit_if_set());
     let deadline = Deadline::start(args.scene.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let token = deadline.token();
     let light = LightInMemory::default();

@@ -136,7 +136,7 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
         CameraRow {
             source: sources.place(*span).map(Position::from),
             used,
-            projection: used.then(|| innermost_word(&world.eye.projection)),
+            projection: used.then(|| kind_word(&world.eye.projection)),
             location: frame.map(|frame| frame.origin.into()),
             direction: frame.and_then(|frame| frame.direction.try_normalize()).map(Into::into),
         }
@@ -174,8 +174,8 @@ fn light_row(light: &Light, world_from_light: &Transform, sources: &Sources) -> 
 fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
     let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit_value()) {
-        (Some(choice), _) => innermost_word(&choice.pattern.kind),
-        (None, Some(pattern)) => innermost_word(&pattern.kind),
+        (Some(choice), _) => kind_word(&choice.pattern.kind),
+        (None, Some(pattern)) => kind_word(&pattern.kind),
         (None, None) => match &layer.pigment.paint {
             Paint::Solid(color) => {
                 let DVec3 { x, y, z } = color.rgb;
@@ -185,14 +185,15 @@ fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
                 }
                 format!("rgbft {}", vector_with_four_decimals(&[x, y, z, clear[0], clear[1]]))
             }
-            other => innermost_word(other),
+            other => kind_word(other),
         },
     });
     TextureRow { pigment: pigment.unwrap_or_default(), layers: texture.layers.len(), objects: 0, first }
 }
 
-/// Returns the innermost word of a serialized item of the language: `granite` of `{"field": {"granite": …}}`.
-fn innermost_word(thing: &impl Serialize) -> String {
+/// Returns the word for the kind of a serialized item of the language, at most at the second level: `granite` of
+/// `{"field": {"granite": …}}`.
+fn kind_word(thing: &impl Serialize) -> String {
     let mut value = serde_json::to_value(thing).unwrap_or_default();
     let mut name = String::new();
     for _ in 0..2 {

@@ -25,7 +25,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Returns the file that an input names: `scene` may mean `scene.pov`, or a file with another scene extension.
+/// Returns the file that an input names: if there is no file `scene`, the first that exists of `scene.pov`, `scene.scene`
+/// and `scene.ini`; `input` itself if none exists.
 pub fn existing_scene_path(input: &Path) -> PathBuf {
     let endings = ["pov", "scene", "ini"].into_iter();
     let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));
@@ -33,7 +34,8 @@ pub fn existing_scene_path(input: &Path) -> PathBuf {
     found.unwrap_or_else(|| input.to_path_buf())
 }
 
-/// Checks that the input file exists. Called first, so that a mistyped name is reported before anything else.
+/// Checks that the input exists and is not a folder; `-` is standard input. Called first, so that a mistyped name is
+/// reported before anything else.
 pub fn check_input(input: &Path) -> Result<()> {
     if input == Path::new("-") || input.is_file() {
         return Ok(());
@@ -76,7 +78,7 @@ pub fn open_or_report(console: &Console, sources: &Sources, input: &Path) -> Res
 /// Returns the animation's constants for a single picture: frame `--frame`, or the first frame.
 pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing> {
     match (animation, args.frame) {
-        (Some(animation), Some(frame)) if !animation.has(frame) => usage_error(format!(
+        (Some(animation), Some(frame)) if !animation.has_frame(frame) => usage_error(format!(
             "there is no frame {frame}: the animation goes from {} to {}",
             animation.first, animation.end
         )),
@@ -90,7 +92,7 @@ pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing>
     }
 }
 
-/// Returns the interpreter's options for a scene.
+/// Returns the interpreter's options for a scene, which writes its files into memory unless [`allow_writing`] changes that.
 pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
@@ -117,7 +119,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         size: (size.width, size.height),
         max_steps: args.max_steps,
         max_time: args.time_limit().map(|s| s.0),
-        max_memory: args.memory_limit().map(|b| b.0).or_else(memory::default_memory_limit),
+        max_memory: args.memory_limit_if_set().map(|b| b.0).or_else(memory::default_memory_limit),
         host: Arc::new(MeteredHost::default()),
         cancel: CancelToken::current(),
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
@@ -164,7 +166,8 @@ fn sampling(look: &LookArgs) -> Sampling {
     }
 }
 
-/// Allows a scene to create files below the current folder, and to write below the folders of `--allow-write`.
+/// Allows a scene to create files below the current folder, and to write below the folders of `--allow-write`. Does
+/// nothing for an untrusted scene.
 pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input: &Path) {
     if args.is_untrusted() {
         return;
@@ -191,7 +194,7 @@ pub fn files_in_memory_line(built: &Built) -> Option<String> {
 /// # Errors
 /// Those of `work`, or that the time is over.
 pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> Result<T> {
-    enforce_memory_limit(args.memory_limit());
+    enforce_memory_limit(args.memory_limit_if_set());
     let deadline = Deadline::start(args.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let result = deadline.token().scope(work)?;
     let max_time = args.time_limit().map(|s| s.0);
@@ -201,7 +204,8 @@ pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> R
     }
 }
 
-/// Reads a scene's text and builds the World. The output of `#debug` goes to stderr.
+/// Evaluates a scene's text and builds the World. The output of `#debug` goes to stderr; the diagnostics are returned, and
+/// not yet reported.
 pub fn build(
     console: &Console,
     parsed: &ParsedFiles,

@@ -120,7 +120,8 @@ pub fn process_each(
     Ok(combined_exit_code(exits))
 }
 
-/// Returns the exit code of all scenes together. A scene's error has the highest rank, a different picture the lowest.
+/// Returns the exit code of all scenes together: that of the highest rank. A signal has the highest rank, then a scene's
+/// error; a different picture has the lowest.
 pub fn combined_exit_code(exits: impl IntoIterator<Item = Exit> + Clone) -> Exit {
     let signals = SIGNALS.iter().map(|signal| signal.exit);
     let order = signals.chain([Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot]);

@@ -355,7 +355,7 @@ pub const FOLLOWS: Code = Code("E0998");
 /// Internal code that ends the run after a reported error; never shown.
 pub const ENDS_RUN: Code = Code("E0999");
 
-/// Returns the explanation of a code that the user typed, in any letter case.
+/// Returns the explanation of a code that the user typed, in any letter case; `None` for an unknown code.
 pub fn find_explanation(code: &str) -> Option<&'static Explanation> {
     ALL.iter().find(|e| e.code.0.eq_ignore_ascii_case(code.trim()))
 }

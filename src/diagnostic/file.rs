@@ -32,7 +32,7 @@ pub fn unwritable(files: &dyn Files, path: &Path, error: &io::Error) -> Diagnost
     Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, message).maybe_help(help)
 }
 
-/// Returns the operating system's message for an error without its number.
+/// Returns the operating system's message for an error, without its number and with a small first letter.
 pub fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or_default();

@@ -46,7 +46,7 @@ pub struct Label {
 pub struct Diagnostic {
     /// Stable code of the diagnostic; `durer explain CODE` explains it.
     pub code: Code,
-    /// Severity of the code, unless an unused declaration lowers it to a warning.
+    /// Severity of the code, unless an unused declaration lowers it to a warning, or `--deny warnings` raises it to an error.
     pub severity: Severity,
     /// Text of the message, in lower case, which says what was found and what was expected, with names in backticks.
     pub message: String,
@@ -83,7 +83,7 @@ impl Diagnostic {
         Err(Box::new(Self::new(code, span, message)))
     }
 
-    /// Sets the text of the first label.
+    /// Sets the text of the first label; does nothing for a diagnostic without a label.
     pub fn label(mut self, text: impl Into<String>) -> Self {
         if let Some(first) = self.labels.first_mut() {
             first.text = text.into();
@@ -91,7 +91,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds another label to the diagnostic.
+    /// Adds another label to the diagnostic, unless `span` is [`Span::NONE`].
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
         if !span.is_none() {
             self.labels.push(Label { span, text: text.into() });
@@ -111,13 +111,13 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the help of the diagnostic, if `text` is some.
+    /// Sets the help of the diagnostic, if `text` is some; `None` keeps the help.
     pub fn maybe_help(mut self, text: Option<String>) -> Self {
         self.help = text.or(self.help);
         self
     }
 
-    /// Sets the place of the diagnostic, for faults from functions that don't know the scene's text.
+    /// Replaces all labels by one without text at `span`, for faults from functions that don't know the scene's text.
     pub fn at(mut self, span: Span) -> Box<Self> {
         self.labels = vec![Label { span, text: String::new() }];
         Box::new(self)
@@ -129,7 +129,7 @@ impl Diagnostic {
         format!("{place}{}[{}]: {}", self.severity.name(), self.code, self.message.replace('\n', " "))
     }
 
-    /// Returns the span of the fault, which is that of the first label.
+    /// Returns the span of the fault, which is that of the first label; [`Span::NONE`] without labels.
     pub fn span(&self) -> Span {
         self.labels.first().map_or(Span::NONE, |l| l.span)
     }

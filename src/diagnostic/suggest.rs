@@ -5,8 +5,9 @@ use strsim::osa_distance;
 /// Maximum length of compared words, in bytes. The time is proportional to the product of both lengths.
 const LONGEST: usize = 200;
 
-/// Returns the word of `known` with the least edit distance to `word`, if at most a third of the letters (and at most
-/// three) differ. Letter case is ignored; a candidate with another first letter counts as half an edit more.
+/// Returns the word of `known`, other than `word` itself, with the least edit distance to `word`, if at most a third of the
+/// letters (and at most three) differ. Letter case is ignored; a candidate with another first letter counts as half an
+/// edit more.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;

@@ -93,48 +93,49 @@ impl<'a> Typesetter<'a> {
 
     // ------------------------------------------------------------ measures
 
-    pub(super) fn read(&self, i: usize) -> &'a str {
+    pub(super) fn atom_text(&self, i: usize) -> &'a str {
         let atom = &self.atoms.row[i];
         &self.text[atom.lo as usize..atom.hi as usize]
     }
 
-    pub(super) fn has(&self, i: usize, flag: u16) -> bool {
-        self.atoms.row[i].flags & flag != 0
+    pub(super) fn has_any_flag(&self, i: usize, flags: u16) -> bool {
+        self.atoms.row[i].flags & flags != 0
     }
 
     /// True if the atom must begin a line.
     fn must_begin_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
         let after_comment = self.must_end_line(previous) || self.is_multi_line_comment(previous);
-        let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.is_matched_closing_bracket(i);
+        let joined =
+            self.has_any_flag(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.is_matched_closing_bracket(i);
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
 
     /// True if no atom may follow this one on its line.
     fn must_end_line(&self, i: usize) -> bool {
-        self.has(i, flag::LINE_COMMENT | flag::LONE)
+        self.has_any_flag(i, flag::LINE_COMMENT | flag::LONE)
     }
 
     /// True for a `}` or `]` with a partner, which can stay at the end of a line.
     fn is_matched_closing_bracket(&self, i: usize) -> bool {
-        matches!(self.read(i), "}" | "]") && !self.has(i, flag::UNMATCHED)
+        matches!(self.atom_text(i), "}" | "]") && !self.has_any_flag(i, flag::UNMATCHED)
     }
 
     /// True for a comment that covers several lines.
     fn is_multi_line_comment(&self, i: usize) -> bool {
-        self.has(i, flag::BLOCK_COMMENT) && self.read(i).contains(['\n', '\r'])
+        self.has_any_flag(i, flag::BLOCK_COMMENT) && self.atom_text(i).contains(['\n', '\r'])
     }
 
-    /// Number of blanks before an atom that does not begin a line.
+    /// Returns the number of blanks before an atom that does not begin a line.
     pub(super) fn blanks_before(&self, i: usize) -> usize {
-        usize::from(self.pads[i]) + usize::from(!self.has(i, flag::NO_BLANK_BEFORE))
+        usize::from(self.pads[i]) + usize::from(!self.has_any_flag(i, flag::NO_BLANK_BEFORE))
     }
 
     pub(super) fn atom_width(&self, i: usize) -> usize {
-        if self.has(i, flag::PACKED) {
-            normalize_vector_returning_width(self.read(i), |_| {})
+        if self.has_any_flag(i, flag::PACKED) {
+            normalize_vector_returning_width(self.atom_text(i), |_| {})
         } else {
-            columns_of(self.read(i))
+            columns_of(self.atom_text(i))
         }
     }
 
@@ -145,7 +146,11 @@ impl<'a> Typesetter<'a> {
     }
 
     fn blanks_in_flat_width(&self, i: usize) -> usize {
-        if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::NO_BLANK_BEFORE)) }
+        if self.has_any_flag(i, flag::LINE_COMMENT) {
+            0
+        } else {
+            usize::from(!self.has_any_flag(i, flag::NO_BLANK_BEFORE))
+        }
     }
 
     /// True if the atoms of a range contain no forced line break.
@@ -190,14 +195,14 @@ impl<'a> Typesetter<'a> {
             self.new_line(self.indent, false);
         }
         self.commented = self.must_end_line(i);
-        if self.has(i, flag::LINE_COMMENT) && !self.is_at_line_start() {
+        if self.has_any_flag(i, flag::LINE_COMMENT) && !self.is_at_line_start() {
             return self.write_trailing_comment(i);
         }
         let gap = if self.is_at_line_start() { usize::from(self.pads[i]) } else { self.blanks_before(i) };
         self.out.extend(std::iter::repeat_n(' ', gap));
-        let text = self.read(i);
+        let text = self.atom_text(i);
         self.column += gap + self.atom_width(i);
-        if self.has(i, flag::PACKED) {
+        if self.has_any_flag(i, flag::PACKED) {
             let out = &mut self.out;
             normalize_vector_returning_width(text, |part| out.push_str(part));
         } else {
@@ -214,7 +219,7 @@ impl<'a> Typesetter<'a> {
         let start = self.text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
         let written = columns_of(&self.text[start..lo]);
         self.trailing.push(Trailing { at: self.out.len(), line: self.line, end: self.column, written });
-        self.out.push_str(self.read(i));
+        self.out.push_str(self.atom_text(i));
     }
 
     /// Ends the text with a line feed, aligns its trailing comments, and returns it.
@@ -248,7 +253,11 @@ impl<'a> Typesetter<'a> {
     /// the bracket stays there.
     fn write_body(&mut self, from: usize, to: usize, indent: usize, follows_opening_bracket: bool) {
         let mut at = from;
-        if follows_opening_bracket && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {
+        if follows_opening_bracket
+            && at < to
+            && self.has_any_flag(at, flag::LINE_COMMENT)
+            && self.atoms.row[at].lines == 0
+        {
             self.write_atom(at);
             at += 1;
         }
@@ -262,7 +271,7 @@ impl<'a> Typesetter<'a> {
         }
         table::align_tables(self, &rows, indent);
         for Row { from, to, .. } in rows {
-            let closes = self.has(from, flag::UNMATCHED) && self.has(from, flag::CLOSE);
+            let closes = self.has_any_flag(from, flag::UNMATCHED) && self.has_any_flag(from, flag::CLOSE);
             let first = indent_inside_brackets(indent, open - i32::from(closes))
                 + self.continued_declaration_extra_indent(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
@@ -276,7 +285,7 @@ impl<'a> Typesetter<'a> {
     fn brace_balance(&self, item: Range) -> i32 {
         let (from, to) = match self.arms(item.from) {
             // A macro runs elsewhere.
-            _ if self.read(item.from).ends_with("macro") => return 0,
+            _ if self.atom_text(item.from).ends_with("macro") => return 0,
             Some([first, ..]) => (first.body as usize, first.end as usize),
             _ => (item.from, item.to),
         };
@@ -291,7 +300,7 @@ impl<'a> Typesetter<'a> {
     fn kind(&self, item: Range) -> ItemKind {
         match self.atoms.row[item.from].item {
             // An additional comma, which the tree drops.
-            ItemKind::None if self.read(item.from) == "," => ItemKind::Separator,
+            ItemKind::None if self.atom_text(item.from) == "," => ItemKind::Separator,
             kind => kind,
         }
     }
@@ -299,7 +308,7 @@ impl<'a> Typesetter<'a> {
     /// True if items of this kind can be laid out on several lines, whether or not this item is.
     fn can_span_several_lines(&self, item: Range) -> bool {
         matches!(self.kind(item), ItemKind::Block | ItemKind::Group | ItemKind::Entry | ItemKind::Bodies)
-            && !self.has(item.from, flag::NO_BLANK_BEFORE)
+            && !self.has_any_flag(item.from, flag::NO_BLANK_BEFORE)
     }
 
     /// Writes items that the author wrote on one line. `open_brackets` is the number of unmatched brackets and is updated.
@@ -317,7 +326,7 @@ impl<'a> Typesetter<'a> {
             let piece = &items[from..to];
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
             let big = piece.iter().any(|item| self.can_span_several_lines(*item));
-            let trails = self.has(a, flag::LINE_COMMENT);
+            let trails = self.has_any_flag(a, flag::LINE_COMMENT);
             let indent = indent_inside_brackets(indent, *open_brackets) + self.continued_declaration_extra_indent(a);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
@@ -333,18 +342,20 @@ impl<'a> Typesetter<'a> {
 
     /// Returns the additional indentation of a line that continues a declaration.
     fn continued_declaration_extra_indent(&self, i: usize) -> usize {
-        if self.has(i, flag::LAYER) { STEP } else { 0 }
+        if self.has_any_flag(i, flag::LAYER) { STEP } else { 0 }
     }
 
     /// True if a line may be broken before `item`, which follows `piece`.
     fn may_break_before(&self, piece: &[Range], item: Range) -> bool {
         let (kind, before) = (self.kind(item), piece[piece.len() - 1]);
         let directive = matches!(kind, ItemKind::Declare | ItemKind::Plain | ItemKind::Bodies);
-        let layer = self.has(item.from, flag::LAYER);
-        if self.has(item.from, flag::NO_BLANK_BEFORE | flag::SAME_LINE) && !layer || kind == ItemKind::Separator {
+        let layer = self.has_any_flag(item.from, flag::LAYER);
+        if self.has_any_flag(item.from, flag::NO_BLANK_BEFORE | flag::SAME_LINE) && !layer
+            || kind == ItemKind::Separator
+        {
             return false;
         }
-        if self.has(item.from, flag::COMMENT) || self.has(before.to - 1, flag::COMMENT) {
+        if self.has_any_flag(item.from, flag::COMMENT) || self.has_any_flag(before.to - 1, flag::COMMENT) {
             return true;
         }
         match (self.kind(before), kind) {
@@ -355,9 +366,9 @@ impl<'a> Typesetter<'a> {
             (ItemKind::Word, ItemKind::Block) | (ItemKind::Word, ItemKind::Entry) => true,
             (ItemKind::Word, _) => directive,
             (ItemKind::Value, ItemKind::Value) => {
-                self.kind(piece[0]) == ItemKind::Value || self.read(before.to - 1) != ","
+                self.kind(piece[0]) == ItemKind::Value || self.atom_text(before.to - 1) != ","
             }
-            (ItemKind::Value, ItemKind::Group) => self.read(before.to - 1) == ",",
+            (ItemKind::Value, ItemKind::Group) => self.atom_text(before.to - 1) == ",",
             _ => true,
         }
     }
@@ -406,9 +417,9 @@ impl<'a> Typesetter<'a> {
         let stays = |item: &&Range| matches!(self.kind(**item), ItemKind::Value | ItemKind::Separator);
         let begins = items.first().is_none_or(|first| self.kind(*first) == ItemKind::Separator);
         let values = if begins { 0 } else { items.iter().take_while(stays).count() };
-        let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
+        let trails = |item: &Range| self.has_any_flag(item.from, flag::LINE_COMMENT);
         let small = items.iter().all(|item| !self.can_span_several_lines(*item) && !trails(item));
-        let held = |item: &Range| self.has(item.from, flag::SAME_LINE | flag::NO_BLANK_BEFORE);
+        let held = |item: &Range| self.has_any_flag(item.from, flag::SAME_LINE | flag::NO_BLANK_BEFORE);
         let end = match () {
             () if values == 0 || self.must_begin_line(from) || items.get(values).is_some_and(held) => from,
             // Only the closing bracket would not fit.

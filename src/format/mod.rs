@@ -40,7 +40,8 @@ const STEP: usize = 2;
 const MAX_PASSES: usize = 8;
 
 /// Formats a text. New lines end with `\n`. Lines have at most `width` characters where they can be broken.
-/// `base_in_sources` is the global offset of the text's first byte, from which the spans of messages count.
+/// `base_in_sources` is the global offset of the text's first byte, from which the spans of messages count. A text with
+/// tokens that are part of no construct is returned as it is if its layout does not become stable.
 ///
 /// # Errors
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest

@@ -44,7 +44,7 @@ impl Typesetter<'_> {
             while at < hard {
                 let end = self.next_line_start_atom(at, hard, nesting.open.len());
                 for i in at..end {
-                    nesting.count_atom(self.has(i, flag::OPEN), self.has(i, flag::CLOSE));
+                    nesting.count_atom(self.has_any_flag(i, flag::OPEN), self.has_any_flag(i, flag::CLOSE));
                 }
                 self.write_flat(at, end);
                 at = end;
@@ -87,8 +87,8 @@ impl Typesetter<'_> {
                     best = Some((cost, i));
                 }
             }
-            bracket_depth += usize::from(self.has(i, flag::OPEN));
-            bracket_depth = bracket_depth.saturating_sub(usize::from(self.has(i, flag::CLOSE)));
+            bracket_depth += usize::from(self.has_any_flag(i, flag::OPEN));
+            bracket_depth = bracket_depth.saturating_sub(usize::from(self.has_any_flag(i, flag::CLOSE)));
         }
         best.map_or(to, |(_, i)| i)
     }
@@ -100,19 +100,19 @@ impl Typesetter<'_> {
     /// True if a line may be broken before atom `i`: not before operators, and not between a word and its value.
     fn may_break_before_atom(&self, i: usize) -> bool {
         let word = matches!(self.atoms.row[i - 1].item, ItemKind::Word | ItemKind::Plain);
-        let held = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE | flag::OPERATOR | flag::COMMENT);
+        let held = self.has_any_flag(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE | flag::OPERATOR | flag::COMMENT);
         !(held || word && self.is_item(i))
     }
 
     /// Returns the strength with which an atom binds the following one: a line is broken after weak atoms first.
     fn binding_strength_to_next(&self, i: usize) -> usize {
-        match self.read(i) {
+        match self.atom_text(i) {
             "," => 1,
             "?" | ":" | "|" | "&" => 2,
             "+" | "-" => 4,
             "*" | "/" => 5,
-            _ if self.has(i, flag::OPERATOR) => 3,
-            _ if self.has(i, flag::CLOSE) => 1,
+            _ if self.has_any_flag(i, flag::OPERATOR) => 3,
+            _ if self.has_any_flag(i, flag::CLOSE) => 1,
             _ => 6,
         }
     }

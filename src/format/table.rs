@@ -33,13 +33,14 @@ fn needs_more_lines(setter: &Typesetter, row: &Row, indent: usize) -> bool {
     !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
 }
 
-/// Returns the atoms of a row, without a comma or comment at its end, since the last row has no comma.
+/// Returns the indices of a row's atoms, without a comma or comment at its end, since the last row has no comma.
 fn row_atoms_without_comma(setter: &Typesetter, row: &Row) -> std::ops::Range<usize> {
-    let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
-    row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
+    let to = row.to - usize::from(setter.has_any_flag(row.to - 1, flag::LINE_COMMENT));
+    row.from..to - usize::from(to > row.from + 1 && setter.atom_text(to - 1) == ",")
 }
 
-/// True if both rows have the same words and signs, and numbers, names and strings at the same positions.
+/// True if both rows are one line each, without a blank line between them, and have the same words and signs, and numbers,
+/// names and strings at the same positions.
 fn has_same_structure(setter: &Typesetter, first: &Row, next: &Row) -> bool {
     let (a, b) = (row_atoms_without_comma(setter, first), row_atoms_without_comma(setter, next));
     let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
@@ -50,7 +51,7 @@ fn has_same_structure(setter: &Typesetter, first: &Row, next: &Row) -> bool {
 }
 
 fn structure_class<'a>(setter: &Typesetter<'a>, i: usize) -> &'a str {
-    let text = setter.read(i);
+    let text = setter.atom_text(i);
     let sign = text.len() == 1 && !text.starts_with(|c: char| c.is_ascii_alphanumeric());
     match text.as_bytes()[0] {
         b'-' | b'+' | b'.' | b'0'..=b'9' if !sign => "0",
@@ -67,7 +68,8 @@ struct Cell {
     columns: usize,
 }
 
-/// Returns the blanks before all atoms of all rows; `None` if the rows are no table or are aligned without blanks.
+/// Returns the numbers of additional blanks before the atoms of each row; `None` if all are 0, because the author aligned
+/// no column or the columns are aligned without blanks, or if a line would get too long.
 fn alignment_blanks(setter: &Typesetter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
     let text = setter.text;
     let begins = |lo: usize| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
@@ -83,7 +85,7 @@ fn alignment_blanks(setter: &Typesetter, rows: &[Row], indent: usize) -> Option<
         let column: Vec<Cell> = rows.iter().zip(&lines).map(cell).collect();
         let left = column.iter().all(|cell| cell.start == column[0].start);
         let right = column.iter().all(|cell| cell.start + cell.columns == column[0].start + column[0].columns);
-        let apart = !setter.has(rows[0].from + j, flag::NO_BLANK_BEFORE);
+        let apart = !setter.has_any_flag(rows[0].from + j, flag::NO_BLANK_BEFORE);
         let gap = usize::from(apart && j > 0);
         let edge = |r: usize| ends[r] + gap + if left { 0 } else { column[r].columns };
         let target = (0..rows.len()).map(edge).max()?;

@@ -25,7 +25,7 @@ pub fn decode(bytes: Vec<u8>) -> Result<Encoded, ReadError> {
 }
 
 impl Encoded {
-    /// Returns the formatted text; see [`format()`].
+    /// Returns the formatted text, whose new lines end as the first line of the text does; see [`format()`].
     ///
     /// # Errors
     /// Those of [`format()`].

@@ -28,7 +28,7 @@ fn index_rows() -> impl Iterator<Item = Row> {
     })
 }
 
-/// Returns the standard include file that declares a name.
+/// Returns the standard include file that a scene includes for a name; `None` if no standard include file declares it.
 pub fn standard_file_of(name: &str) -> Option<&'static str> {
     index_rows().find(|row| row.declares(name)).map(|row| row.whole)
 }

@@ -9,8 +9,8 @@ pub use index::{declares, is_standard_include, standard_file_of, standard_names}
 /// Prefix of the names of built-in include files in messages.
 pub const FOLDER: &str = "<durer>";
 
-/// Returns the text of a built-in include file. The name may have any letter case, as on the systems that many scenes
-/// come from.
+/// Returns the text of a built-in include file; `None` if no file has the name, which is without a folder and in any letter
+/// case, as on the systems that many scenes come from.
 pub fn builtin_file_text(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(file, _)| file.eq_ignore_ascii_case(name)).map(|(_, text)| *text)
 }

@@ -30,7 +30,7 @@ pub struct Document {
     pub outline: Arc<Outline>,
     /// Syntax faults of the open document.
     pub faults: Vec<Diagnostic>,
-    /// Time of the document's next background run.
+    /// Time of the document's next background run; `None` if no run is due.
     pub due: Option<Instant>,
     /// Token that ends the document's present background run.
     pub cancel: Option<CancelToken>,
@@ -50,18 +50,19 @@ impl Document {
             due: None,
             cancel: None,
         };
-        new.read();
+        new.rebuild_outline();
         new
     }
 
-    /// Updates the document after a change of its text.
+    /// Sets the version of the document, and rebuilds outline and faults for its text, which the caller has changed.
     pub fn update_to_version(&mut self, version: i32) {
         self.version = version;
-        self.read();
+        self.rebuild_outline();
     }
 
-    /// Builds the outline of the text. Faults that only the syntax tree shows are found by a run.
-    fn read(&mut self) {
+    /// Sets the outline and the faults of the text's tokens; both are empty if the text is too large. Faults that only the
+    /// syntax tree shows are found by a run.
+    fn rebuild_outline(&mut self) {
         if self.is_too_large() {
             (self.outline, self.faults) = (Arc::default(), vec![]);
             return;
@@ -77,7 +78,7 @@ impl Document {
         self.text.as_str().len() > MAX_TEXT
     }
 
-    /// Returns the notice that the document has no service.
+    /// Returns the notice that the document has no service; `None` unless [`Self::is_too_large`].
     pub fn too_large_notice(&self) -> Option<EditorDiagnostic> {
         self.is_too_large().then(|| EditorDiagnostic {
             severity: Some(DiagnosticSeverity::INFORMATION),
@@ -97,7 +98,8 @@ impl Document {
         )
     }
 
-    /// True if the document is a scene that can be run, and no include file.
+    /// True if the document is a scene that can be run: not too large, and without the extension of an include file or INI
+    /// file.
     pub fn is_scene(&self) -> bool {
         if self.is_too_large() {
             return false;
@@ -106,13 +108,13 @@ impl Document {
         !matches!(ending, Some("inc" | "INC" | "ini" | "mcr"))
     }
 
-    /// Returns the folder that contains the document.
+    /// Returns the folder that contains the document; `.` for a document that is not a file.
     pub fn folder(&self) -> PathBuf {
         self.path.as_deref().and_then(Path::parent).map_or_else(|| PathBuf::from("."), Path::to_path_buf)
     }
 }
 
-/// Returns the path of a `file:` address.
+/// Returns the path of a `file:` address; `None` for other addresses.
 pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.as_str().strip_prefix("file://")?;
     // The address may contain a host's name before the path.
@@ -138,7 +140,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     Some(PathBuf::from(if drive { &text[1..] } else { &text }))
 }
 
-/// Returns the `file:` address of a path.
+/// Returns the `file:` address of a path; `None` if the path is not Unicode.
 pub fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;
     let text = path.to_str()?.replace('\\', if cfg!(windows) { "/" } else { "\\" });

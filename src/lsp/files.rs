@@ -28,8 +28,9 @@ pub struct Files(BTreeMap<PathBuf, File>);
 const MAX_FILES: usize = 500;
 
 impl Files {
-    /// Returns the included file at a path, real or built in, from the cache, and reads it if it is new or has changed.
-    fn get(&mut self, path: &Path) -> Option<&File> {
+    /// Returns the included file at a path, real or built in, from the cache, and reads it if it is new or has changed. `None`
+    /// if it cannot be read, is no text, or is longer than [`MAX_TEXT`].
+    fn load(&mut self, path: &Path) -> Option<&File> {
         let now = Disk.stamp(path);
         if self.0.get(path).is_none_or(|file| file.read != now) {
             let built_in =
@@ -57,15 +58,17 @@ pub struct ReachableText {
     pub outline: Arc<Outline>,
 }
 
-/// The path of the file that a text in `folder` includes under this name.
+/// Returns the path of the file that a text in `folder` includes under this name, real or built in; `None` if there is no
+/// such file.
 pub fn find_included_file(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
     let including = folder.join("file");
     let found = search.resolve(&Disk, name, Some(&including)).map(|found| found.path);
     found.or_else(|| library::builtin_file_text(name).map(|_| Path::new(library::FOLDER).join(name)))
 }
 
-/// The text `from` and all files that it includes, none twice.
-pub fn reachable(
+/// Returns the text `from` first, and then all files that it includes, directly or indirectly, none twice. The text of an
+/// open document replaces its file.
+pub fn texts_reachable_from(
     files: &mut Files,
     open: &BTreeMap<String, Document>,
     from: &Document,
@@ -92,7 +95,7 @@ pub fn reachable(
             let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| are_same_file(open, &path));
             let reached = match open.values().find(is_it) {
                 Some(open) => Some((Arc::new(open.text.clone()), open.outline.clone())),
-                None => files.get(&path).map(|file| (file.text.clone(), file.outline.clone())),
+                None => files.load(&path).map(|file| (file.text.clone(), file.outline.clone())),
             };
             out.extend(reached.map(|(text, outline)| ReachableText { path: Some(path), text, outline }));
         }

@@ -58,7 +58,7 @@ pub struct RunResult {
 pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) -> bool {
     let work = move || {
         let diagnostics =
-            catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| diagnostics_by_include(&job)))).unwrap_or_default();
+            catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| diagnostics_by_file(&job)))).unwrap_or_default();
         done(RunResult { number: job.number, uri: job.uri, version: job.version, diagnostics });
     };
     std::thread::Builder::new().name("run".into()).spawn(work).is_ok()
@@ -66,7 +66,7 @@ pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) -> bool {
 
 /// Runs a scene and returns its diagnostics by the path of the file that they are about; `None` is the scene's own
 /// text.
-fn diagnostics_by_include(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
+fn diagnostics_by_file(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     let overlay = Overlay::new(Arc::new(Disk));
     job.open.iter().for_each(|(path, text)| overlay.insert(path, text.as_str()));
     let (sources, parsed) = (Sources::new(Arc::new(overlay)), ParsedFiles::default());

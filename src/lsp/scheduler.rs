@@ -49,10 +49,10 @@ impl ActiveRuns {
 }
 
 impl<S: Client> Server<S> {
-    /// Schedules a run of the scenes that read a text.
-    pub(in crate::lsp) fn schedule_scenes_reading(&mut self, key: &str) {
+    /// Schedules a run of the open scenes that read the text with this address, and cancels their active runs.
+    pub(in crate::lsp) fn schedule_scenes_reading(&mut self, address: &str) {
         let due = Some(Instant::now() + PAUSE);
-        for scene in self.scenes_of(key) {
+        for scene in self.scenes_reading(address) {
             if let Some(document) = self.open.get_mut(&scene) {
                 document.due = due;
                 if let Some(cancel) = document.cancel.take() {
@@ -62,8 +62,8 @@ impl<S: Client> Server<S> {
         }
     }
 
-    /// Time at which the language server has to act next: start a scheduled run, or cancel an active one at its time
-    /// limit.
+    /// Returns the time at which the language server has to act next: start a scheduled run, or cancel an active one at its
+    /// time limit; `None` if it has only to wait for events.
     pub(in crate::lsp) fn next_action_time(&self) -> Option<Instant> {
         let runs = &self.runs.active;
         let is_free = runs.len() < MAX_ACTIVE;

@@ -117,7 +117,7 @@ impl<S: Client> Server<S> {
                 Ok(Event::Message(Message::Notification(note))) if note.method == "exit" => break End::Disconnected,
                 Ok(Event::Disconnected(end)) => break end,
                 Err(RecvTimeoutError::Disconnected) => break End::Disconnected,
-                Ok(Event::Message(Message::Request(request))) => self.request(request),
+                Ok(Event::Message(Message::Request(request))) => self.handle_request(request),
                 Ok(event) => self.run_catching_panics(|server| server.handle_non_request(event)),
                 Err(RecvTimeoutError::Timeout) => {}
             }
@@ -131,7 +131,9 @@ impl<S: Client> Server<S> {
     /// the editor.
     fn handle_non_request(&mut self, event: Event) {
         match event {
-            Event::Message(Message::Notification(note)) if self.state == State::Running => self.notification(note),
+            Event::Message(Message::Notification(note)) if self.state == State::Running => {
+                self.handle_notification(note)
+            }
             Event::Refused(refusal) => self.client.refuse(refusal),
             Event::RunEnded(ran) => self.end_run(ran),
             Event::Send(message) => self.client.send(message),
@@ -146,7 +148,7 @@ impl<S: Client> Server<S> {
         }
     }
 
-    fn request(&mut self, request: Request) {
+    fn handle_request(&mut self, request: Request) {
         let id = request.id.clone();
         let refuse = |code: ErrorCode, text: &str| Response::new_err(id.clone(), code as i32, text.into());
         let response = match (self.state, request.method.as_str()) {
@@ -167,19 +169,18 @@ impl<S: Client> Server<S> {
         self.client.send(Message::Response(response));
     }
 
-    fn notification(&mut self, note: Notification) {
+    fn handle_notification(&mut self, note: Notification) {
         let result = match note.method.as_str() {
-            "textDocument/didOpen" => read(note).map(|params| self.opened(params)),
-            "textDocument/didChange" => read(note).and_then(|params| self.change(params)),
+            "textDocument/didOpen" => parse_params(note).map(|params| self.add_document(params)),
+            "textDocument/didChange" => parse_params(note).and_then(|params| self.apply_changes(params)),
             "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
                 // Included files may have changed on the disk.
                 let all: Vec<_> = self.open.keys().cloned().collect();
                 all.iter().for_each(|key| self.schedule_scenes_reading(key));
                 Ok(())
             }
-            "textDocument/didClose" => {
-                read(note).and_then(|DidCloseTextDocumentParams { text_document: old }| self.close(old.uri.as_str()))
-            }
+            "textDocument/didClose" => parse_params(note)
+                .and_then(|DidCloseTextDocumentParams { text_document: old }| self.remove_document(old.uri.as_str())),
             _ => Ok(()),
         };
         if let Err(text) = result {
@@ -193,13 +194,13 @@ impl<S: Client> Server<S> {
         self.client.send(Message::Notification(Notification::new("window/logMessage".into(), params)));
     }
 
-    fn opened(&mut self, DidOpenTextDocumentParams { text_document: new }: DidOpenTextDocumentParams) {
+    fn add_document(&mut self, DidOpenTextDocumentParams { text_document: new }: DidOpenTextDocumentParams) {
         let key = new.uri.as_str().to_string();
         self.open.insert(key.clone(), Document::new(new.uri, new.version, new.text));
-        self.changed(&key);
+        self.publish_and_schedule(&key);
     }
 
-    fn change(&mut self, params: DidChangeTextDocumentParams) -> Result<(), String> {
+    fn apply_changes(&mut self, params: DidChangeTextDocumentParams) -> Result<(), String> {
         let key = params.text_document.uri.as_str().to_string();
         let document = self.open.get_mut(&key).ok_or_else(|| not_open(&key))?;
         for change in params.content_changes {
@@ -220,27 +221,31 @@ impl<S: Client> Server<S> {
             let gone = self.results.remove(&key).unwrap_or_default();
             gone.keys().filter(|address| **address != key).for_each(|address| self.publish(address));
         }
-        self.changed(&key);
+        self.publish_and_schedule(&key);
         Ok(())
     }
 
-    fn changed(&mut self, key: &str) {
-        self.publish(key);
-        self.schedule_scenes_reading(key);
+    fn publish_and_schedule(&mut self, address: &str) {
+        self.publish(address);
+        self.schedule_scenes_reading(address);
     }
 
-    /// The open scenes that read a text, including the text itself if it is a scene.
-    pub(in crate::lsp) fn scenes_of(&mut self, key: &str) -> Vec<String> {
-        let Some(document) = self.open.get(key) else { return vec![] };
+    /// Returns the addresses of the open scenes that read the text with this address, including the text itself if it is
+    /// a scene; empty if the text is not open.
+    pub(in crate::lsp) fn scenes_reading(&mut self, address: &str) -> Vec<String> {
+        let Some(document) = self.open.get(address) else { return vec![] };
         let (path, is_scene) = (document.path.clone(), document.is_scene());
         let mut out = vec![];
         for (other, scene) in self.open.iter().filter(|(_, scene)| scene.is_scene()) {
             let mut reads = || {
-                let reached = files::reachable(&mut self.files, &self.open, scene, &self.include);
+                let reached = files::texts_reachable_from(&mut self.files, &self.open, scene, &self.include);
                 reached.iter().any(|one| matches!((&one.path, &path), (Some(a), Some(b)) if files::are_same_file(a, b)))
             };
-            let belongs =
-                if other == key { is_scene } else { path.is_some() && !scene.outline.includes.is_empty() && reads() };
+            let belongs = if other == address {
+                is_scene
+            } else {
+                path.is_some() && !scene.outline.includes.is_empty() && reads()
+            };
             if belongs {
                 out.push(other.clone());
             }
@@ -248,7 +253,7 @@ impl<S: Client> Server<S> {
         out
     }
 
-    /// Returns the editor's address of the file at `path` if it is open, or else the address of the path.
+    /// Returns the editor's address of the file at `path` if it is open, or else the `file:` address of the path.
     pub(in crate::lsp) fn address_of_path(&self, path: &std::path::Path) -> Option<String> {
         let is_it =
             |document: &&Document| document.path.as_deref().is_some_and(|open| files::are_same_file(open, path));
@@ -277,21 +282,21 @@ impl<S: Client> Server<S> {
     }
 
     /// Returns the diagnostics of a text from all background runs.
-    pub fn run_diagnostics(&self, address: &str) -> Vec<EditorDiagnostic> {
+    pub fn diagnostics_from_runs(&self, address: &str) -> Vec<EditorDiagnostic> {
         self.results.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
     }
 
-    fn close(&mut self, key: &str) -> Result<(), String> {
-        let scenes = self.scenes_of(key);
-        let closed = self.open.remove(key).ok_or_else(|| not_open(key))?;
+    fn remove_document(&mut self, address: &str) -> Result<(), String> {
+        let scenes = self.scenes_reading(address);
+        let closed = self.open.remove(address).ok_or_else(|| not_open(address))?;
         if let Some(cancel) = closed.cancel {
             cancel.cancel(CancelReason::Request);
         }
         // Files that only the closed text includes are no longer needed; the others are read again.
         self.files = Files::default();
-        let gone = self.results.remove(key).unwrap_or_default();
-        gone.keys().map(String::as_str).chain([key]).for_each(|address| self.publish(address));
-        scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule_scenes_reading(scene));
+        let gone = self.results.remove(address).unwrap_or_default();
+        gone.keys().map(String::as_str).chain([address]).for_each(|address| self.publish(address));
+        scenes.iter().filter(|scene| *scene != address).for_each(|scene| self.schedule_scenes_reading(scene));
         Ok(())
     }
 
@@ -300,21 +305,21 @@ impl<S: Client> Server<S> {
         self.open.get(uri.as_str())
     }
 
-    /// Returns an open text and all files that it includes.
+    /// Returns an open text, first, and all files that it includes; empty if the text is not open.
     pub fn reachable(&mut self, uri: &Uri) -> Vec<ReachableText> {
         match self.open.get(uri.as_str()) {
-            Some(document) => files::reachable(&mut self.files, &self.open, document, &self.include),
+            Some(document) => files::texts_reachable_from(&mut self.files, &self.open, document, &self.include),
             None => vec![],
         }
     }
 
-    /// All texts that share names with one: the files that it includes, and the open scenes that include it with their
-    /// files.
-    pub fn related(&mut self, uri: &Uri) -> Vec<ReachableText> {
+    /// Returns all texts that share names with an open text: first itself and the files that it includes, then the open scenes
+    /// that include it, with their files.
+    pub fn texts_sharing_names(&mut self, uri: &Uri) -> Vec<ReachableText> {
         let mut out = self.reachable(uri);
-        for scene in self.scenes_of(uri.as_str()) {
+        for scene in self.scenes_reading(uri.as_str()) {
             let Some(document) = self.open.get(&scene) else { continue };
-            for reached in files::reachable(&mut self.files, &self.open, document, &self.include) {
+            for reached in files::texts_reachable_from(&mut self.files, &self.open, document, &self.include) {
                 if !out.iter().any(|one| one.path == reached.path) {
                     out.push(reached);
                 }
@@ -324,7 +329,7 @@ impl<S: Client> Server<S> {
     }
 
     /// Returns the editor's address of a text that the document `from` reaches by includes.
-    pub fn uri(&self, reached: &ReachableText, from: &Uri) -> Option<Uri> {
+    pub fn uri_of_reached(&self, reached: &ReachableText, from: &Uri) -> Option<Uri> {
         match &reached.path {
             None => Some(from.clone()),
             Some(path) => self.address_of_path(path).and_then(|address| Uri::from_str(&address).ok()),
@@ -339,7 +344,7 @@ fn initialize_result(params: &Value) -> Value {
 }
 
 /// Reads the parameters of a notification.
-fn read<P: DeserializeOwned>(note: Notification) -> Result<P, String> {
+fn parse_params<P: DeserializeOwned>(note: Notification) -> Result<P, String> {
     let Notification { method, params } = note;
     serde_json::from_value(params).map_err(|error| format!("`{method}` has invalid parameters: {error}"))
 }

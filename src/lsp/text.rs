@@ -25,12 +25,12 @@ impl Text {
         &self.all
     }
 
-    /// Number of lines: one more than the number of line endings.
+    /// Returns the number of lines: one more than the number of line endings.
     pub fn line_count(&self) -> usize {
         self.lines.len()
     }
 
-    /// The byte offset of a position. A position after the end of a line or of the text is moved to that end, and a
+    /// Returns the byte offset of a position. A position after the end of a line or of the text is moved to that end, and a
     /// position within a character to its start.
     pub fn offset(&self, at: Position) -> usize {
         let Some(&start) = self.lines.get(at.line as usize) else { return self.all.len() };
@@ -46,7 +46,7 @@ impl Text {
         start + line.len()
     }
 
-    /// Returns the line and column of a byte offset.
+    /// Returns the line and column of a byte offset at the start of a character. An offset after the text counts as its end.
     pub fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.all.len());
         let line = self.lines.partition_point(|start| *start <= offset).saturating_sub(1);
@@ -59,21 +59,21 @@ impl Text {
         Range::new(self.position(bytes.start), self.position(bytes.end))
     }
 
-    /// Returns a line of the text without its line ending.
+    /// Returns the line with this index, from 0, without its line ending; empty after the last line.
     pub fn line(&self, line: usize) -> &str {
         let Some(&start) = self.lines.get(line) else { return "" };
         let end = self.lines.get(line + 1).copied().unwrap_or(self.all.len());
         self.all[start..end].trim_end_matches(['\n', '\r'])
     }
 
-    /// All lines with their line endings; an empty last line is omitted.
+    /// Returns all lines with their line endings; an empty last line is omitted.
     pub fn lines_with_ends(&self) -> Vec<&str> {
         let ends = self.lines.iter().copied().skip(1).chain([self.all.len()]);
         let lines = self.lines.iter().zip(ends).map(|(start, end)| &self.all[*start..end]);
         lines.filter(|line| !line.is_empty()).collect()
     }
 
-    /// Applies a change; returns the removed byte range and the number of new bytes.
+    /// Applies a change, of the whole text if it has no range; returns the removed byte range and the number of new bytes.
     pub fn change_with_extent(&mut self, change: TextDocumentContentChangeEvent) -> (std::ops::Range<usize>, usize) {
         let Some(range) = change.range else {
             let old = self.all.len();
@@ -88,7 +88,7 @@ impl Text {
         (bytes, change.text.len())
     }
 
-    /// Updates the starts of the lines after a change.
+    /// Updates the starts of the lines after a change that replaced `bytes` of the old text by `new`.
     fn update_lines(&mut self, bytes: &std::ops::Range<usize>, new: &str) {
         // The change may add or remove a `\n` after a `\r`: scan the neighbouring lines again.
         let first = self.lines.partition_point(|start| *start < bytes.start).saturating_sub(1);

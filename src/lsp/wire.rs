@@ -77,7 +77,7 @@ impl<R: BufRead> Reader<R> {
     /// # Errors
     /// If reading fails, or the input ends within a message.
     pub fn read(&mut self) -> io::Result<Incoming> {
-        let length = match self.header()? {
+        let length = match self.read_header()? {
             Header::Length(length) => length,
             Header::End => return Ok(Incoming::End),
             Header::Invalid(text) => {
@@ -95,7 +95,7 @@ impl<R: BufRead> Reader<R> {
     }
 
     /// Reads the header of the next message from the editor, which gives the length of the message.
-    fn header(&mut self) -> io::Result<Header> {
+    fn read_header(&mut self) -> io::Result<Header> {
         let mut from = (&mut self.from).take(MAX_HEADER);
         let (mut line, mut length) = (vec![], None);
         if std::mem::take(&mut self.is_lost) {

@@ -12,7 +12,7 @@ use crate::value::words::{TRANSFORMS, word};
 use crate::value::{Family, Spec, ValueKind, WordSpec};
 
 /// Returns the specification of a shape's block, with the words that the block takes; `None` for other names.
-pub fn shape(name: &str) -> Option<&'static Spec> {
+pub fn shape_spec(name: &str) -> Option<&'static Spec> {
     Shape::spec_of(name)
 }
 
@@ -29,7 +29,8 @@ fn block_name_entries(specs: &[&Spec]) -> impl Iterator<Item = WordSpec> {
     specs.iter().map(|spec| word(spec.name, ValueKind::Nothing, "", spec.summary))
 }
 
-/// The words that a block takes; the empty name is the scene outside of all blocks.
+/// Returns the words that a block takes, each once; the empty name is the scene outside of all blocks. Empty for an
+/// unknown block.
 pub fn block_words(block: &str) -> Vec<WordSpec> {
     let mut out = vec![];
     let holds_objects =
@@ -49,7 +50,7 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
         );
     }
     let mut tables: Vec<&[WordSpec]> = vec![];
-    if !block.is_empty() && (holds_objects || shape(block).is_some()) {
+    if !block.is_empty() && (holds_objects || shape_spec(block).is_some()) {
         tables.extend([MODIFIERS.words, TRANSFORMS]);
     }
     if matches!(block, "pigment" | "normal" | "texture" | "density" | "pattern") {
@@ -81,7 +82,8 @@ pub fn kind_description(kind: ValueKind) -> &'static str {
     }
 }
 
-/// Explanations of a word in Markdown; its meaning in `block` comes first.
+/// Returns explanations of a word in Markdown, one for each meaning; its meaning in `block` comes first. Empty for an
+/// unknown word.
 pub fn explain(word: &str, block: &str) -> Vec<String> {
     let mut out = vec![];
     let mut add = |text: String, first: bool| {
@@ -150,7 +152,7 @@ fn describe(info: &WordSpec) -> String {
     format!("{}{takes}.{default}", info.summary)
 }
 
-/// Returns the syntax and description of a built-in function.
+/// Returns the syntax and description of a built-in function; `None` for other names.
 pub fn function_usage_and_summary(name: &str) -> Option<(String, &'static str)> {
     function_names_arguments_summaries()
         .find(|(other, ..)| *other == name)
@@ -170,13 +172,13 @@ pub fn function_names_arguments_summaries() -> impl Iterator<Item = (&'static st
     numbers.chain(interpreter::script_only_functions())
 }
 
-/// Returns the syntax and description of a directive.
+/// Returns the syntax and description of a directive, whose `word` is without `#`; `None` for other words.
 pub fn directive_usage_and_summary(word: &str) -> Option<(&'static str, &'static str)> {
     let row = interpreter::directives::TABLE.iter().find(|row| row.names.contains(&word))?;
     Some((row.form, row.summary))
 }
 
-/// The name of the block around a byte; empty outside of all blocks.
-pub fn block_at(outline: &Outline, offset: usize) -> &str {
+/// Returns the name of the innermost block around a byte; empty outside of all blocks.
+pub fn block_name_at(outline: &Outline, offset: usize) -> &str {
     outline.pair_at(offset, |pair| pair.bracket == b'{').map_or("", |pair| outline.head(pair))
 }

@@ -52,11 +52,15 @@ struct Answer {
 impl Answer {
     /// Returns the folder in which a change may change the answer.
     fn folder(&self) -> PathBuf {
-        if matches!(self.lookup, Lookup::Spelling { .. }) { self.path.clone() } else { folder(&self.path) }
+        if matches!(self.lookup, Lookup::Spelling { .. }) {
+            self.path.clone()
+        } else {
+            parent_or_current_folder(&self.path)
+        }
     }
 
     /// True if the answer was current at the last check and is no longer, or the other way round.
-    fn has_changed(&mut self) -> bool {
+    fn update_returning_changed(&mut self) -> bool {
         let is_current = self.lookup.is_current(&Disk, &self.path);
         std::mem::replace(&mut self.was_current, is_current) != is_current
     }
@@ -64,7 +68,7 @@ impl Answer {
 
 /// Returns the state of a regular file, which differs after the file was written; `None` for a missing file, a folder,
 /// a device or a pipe.
-fn stamp(path: &Path) -> Option<Stamp> {
+fn regular_file_stamp(path: &Path) -> Option<Stamp> {
     Disk.metadata(path).ok().filter(|metadata| metadata.kind == FileKind::File)?;
     Disk.stamp(path)
 }
@@ -74,7 +78,7 @@ fn hash_contents(path: &Path) -> Option<ContentHash> {
 }
 
 impl FileWatcher {
-    /// Calls `changed` from a thread of its own after each change of a watched file.
+    /// Creates a watcher of no files yet, which calls `changed` from a thread of its own after each change of a watched file.
     pub fn new(changed: impl Fn() + Send + 'static) -> Self {
         let (sender, events) = channel();
         let notify = move |event: notify::Result<notify::Event>| {
@@ -91,8 +95,8 @@ impl FileWatcher {
         Self { shared }
     }
 
-    /// Watches the files that a scene has looked up, with the contents that were read: a file that has changed since
-    /// then is reported at once. `scene` is watched, too, even if it could not be read.
+    /// Watches the files that a scene has looked up, in place of those watched before, with the contents that were read: a
+    /// file that has changed since then is reported at the next check. `scene` is watched, too, even if it could not be read.
     pub fn watch_files(&self, files: &LookedUpFiles, scene: &Path) {
         let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
         let LookedUpFiles { read, lookups } = files;
@@ -105,8 +109,12 @@ impl FileWatcher {
         let unread = (!read.contains_key(scene)).then(|| file(scene, None));
         shared.files = read.iter().map(|(path, hash)| file(path, Some(*hash))).chain(unread).collect();
         shared.answers = answers_of(lookups);
-        let folders: BTreeSet<PathBuf> =
-            shared.files.keys().map(|path| folder(path)).chain(shared.answers.iter().map(Answer::folder)).collect();
+        let folders: BTreeSet<PathBuf> = shared
+            .files
+            .keys()
+            .map(|path| parent_or_current_folder(path))
+            .chain(shared.answers.iter().map(Answer::folder))
+            .collect();
         let (old, new) = (shared.folders.clone(), folders.clone());
         shared.folders = folders;
         if let Some(watcher) = &mut shared.watcher {
@@ -126,7 +134,7 @@ fn answers_of(lookups: &Lookups) -> Vec<Answer> {
     all.filter(|answer| !matches!(answer.lookup, Lookup::Names(_))).take(MAX_ANSWERS).collect()
 }
 
-fn folder(path: &Path) -> PathBuf {
+fn parent_or_current_folder(path: &Path) -> PathBuf {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_path_buf()
 }
 
@@ -140,7 +148,7 @@ fn run(shared: &Mutex<Shared>, events: &Receiver<()>, changed: &dyn Fn()) {
             Err(RecvTimeoutError::Disconnected) => std::thread::sleep(POLL_INTERVAL),
         }
         let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
-        let has_changed = shared.has_changed_since_check();
+        let has_changed = shared.update_returning_changed();
         drop(shared);
         if has_changed {
             changed();
@@ -149,23 +157,23 @@ fn run(shared: &Mutex<Shared>, events: &Receiver<()>, changed: &dyn Fn()) {
 }
 
 impl Shared {
-    /// Checks all files; true if one has changed or appeared since the last check.
-    fn has_changed_since_check(&mut self) -> bool {
+    /// Checks all files and answers; true if one is other than at the last check, which this check replaces.
+    fn update_returning_changed(&mut self) -> bool {
         let mut has_changed = false;
         for (path, file) in &mut self.files {
-            has_changed |= file.has_changed(path);
+            has_changed |= file.update_returning_changed(path);
         }
         for answer in &mut self.answers {
-            has_changed |= answer.has_changed();
+            has_changed |= answer.update_returning_changed();
         }
         has_changed
     }
 }
 
 impl File {
-    /// True if the contents differ from those at the last check.
-    fn has_changed(&mut self, path: &Path) -> bool {
-        let now = stamp(path);
+    /// True if the contents differ from those at the last check, which this check replaces.
+    fn update_returning_changed(&mut self, path: &Path) -> bool {
+        let now = regular_file_stamp(path);
         if now == self.stamp && now.is_some() {
             return false;
         }

@@ -17,7 +17,7 @@ pub struct Guard {
 }
 
 impl Guard {
-    /// A guard with a random token.
+    /// Creates a guard with a random token.
     ///
     /// # Errors
     /// If the system has no random numbers.

@@ -99,12 +99,12 @@ impl Request {
         }
     }
 
-    /// All values of the header with this name, which is written in lower case.
+    /// Returns all values of the header with this name, which is written in lower case.
     pub fn header(&self, lowercase_name: &str) -> Vec<String> {
         self.headers.iter().filter(|(name, _)| name == lowercase_name).map(|(_, value)| value.clone()).collect()
     }
 
-    /// Returns a number in the query of the HTTP request.
+    /// Returns the number `name=…` in the query of the HTTP request; `None` if it is absent or not a whole number.
     pub fn query_number(&self, name: &str) -> Option<usize> {
         let pairs = self.query.split('&').filter_map(|pair| pair.split_once('='));
         pairs.filter(|(n, _)| *n == name).find_map(|(_, value)| value.parse().ok())

@@ -17,11 +17,11 @@ const LEVEL_FACTOR: usize = 16;
 const SHORT: f64 = 0.3;
 
 /// Renders all levels and the full resolution to the screen, until `cancel` is cancelled; pixels outside of the region
-/// in `options` are not displayed. Returns the number of rays and the duration of the first level, 0 if there was only
-/// the full resolution.
+/// in `options` are not displayed. Returns the number of rays of the full resolution, and the duration of the first level,
+/// 0 if there was only the full resolution.
 ///
 /// # Errors
-/// If `cancel` was cancelled.
+/// If `cancel` was cancelled, or rendering fails.
 pub fn render_levels_timing_first(
     world: &World,
     options: &Options,
@@ -127,7 +127,7 @@ impl Watch for TileDisplay<'_> {
         }
         let conversion = OutputConversion::new(self.world, self.options);
         let lit: Vec<_> = pixels.iter().map(|pixel| conversion.to_linear_rgba(pixel)).collect();
-        self.screen.put(tile.area, &lit);
+        self.screen.put_pixels(tile.area, &lit);
     }
 }
 

@@ -78,16 +78,16 @@ pub(super) struct Update {
 const BATCH: usize = 256;
 
 impl Picture {
-    /// Number of tiles in a row. Tiles start at multiples of their edge in the larger picture.
+    /// Returns the number of tiles in a row. Tiles start at multiples of their edge in the larger picture.
     fn tile_columns(&self) -> usize {
         let Region { x, width, .. } = self.view.area;
         (x + width).div_ceil(TILE) - x / TILE
     }
 
-    /// Returns the rectangle of the tile with the index `at`, relative to the displayed picture's top left corner.
-    fn tile(&self, at: usize) -> Region {
+    /// Returns the rectangle of the tile with this index, relative to the displayed picture's top left corner.
+    fn tile(&self, index: usize) -> Region {
         let Region { x, y, width, height } = self.view.area;
-        let (column, row) = (at % self.tile_columns() + x / TILE, at / self.tile_columns() + y / TILE);
+        let (column, row) = (index % self.tile_columns() + x / TILE, index / self.tile_columns() + y / TILE);
         let (left, top) = ((column * TILE).max(x), (row * TILE).max(y));
         let (right, bottom) = ((column * TILE + TILE).min(x + width), (row * TILE + TILE).min(y + height));
         Region { x: left - x, y: top - y, width: right - left, height: bottom - top }
@@ -148,7 +148,7 @@ impl Screen {
     }
 
     /// Displays an area of the larger picture, in linear colour and row by row. Pixels outside of the view are ignored.
-    pub fn put(&self, area_of_larger_picture: Region, pixels: &[[f32; 4]]) {
+    pub fn put_pixels(&self, area_of_larger_picture: Region, pixels: &[[f32; 4]]) {
         self.change(|contents, stamp| {
             let Some(picture) = &mut contents.picture else { return };
             let view = picture.view.area;
@@ -165,7 +165,7 @@ impl Screen {
         });
     }
 
-    /// Sets the rendered share of the picture, from 0 to 1.
+    /// Sets the rendered share of the picture, from 0 to 1, which pages receive with the next change.
     pub fn set_progress(&self, progress: f32) {
         if let Some(picture) = &mut self.lock().picture {
             picture.progress = progress;
@@ -183,24 +183,25 @@ impl Screen {
     }
 
     /// Returns the picture if it is finished.
-    pub fn finished(&self) -> Option<Image> {
+    pub fn finished_picture(&self) -> Option<Image> {
         let contents = self.lock();
         contents.picture.as_ref().filter(|picture| picture.done).map(|picture| picture.image.clone())
     }
 
-    /// Returns the linear colour of a pixel.
+    /// Returns the linear red, green, blue and alpha of a pixel, counted from the top left of the displayed part; `None` outside.
     pub fn color_at(&self, x: usize, y: usize) -> Option<[f32; 4]> {
         let contents = self.lock();
         let picture = contents.picture.as_ref().filter(|picture| x < picture.image.width)?;
         picture.image.pixels.get(y * picture.image.width + x).copied()
     }
 
-    /// Returns the finished picture before the present one.
-    pub fn previous(&self) -> Option<Arc<Image>> {
+    /// Returns the last finished picture before the present one, if there is one.
+    pub fn previous_picture(&self) -> Option<Arc<Image>> {
         self.lock().previous.clone()
     }
 
-    /// Waits for changes that a page has not received; `None` after `time`.
+    /// Waits for changes that a page has not received, returns them, and records in `cursor` that the page has them; `None`
+    /// after `time`.
     pub(super) fn wait(&self, cursor: &mut Cursor, time: Duration) -> Option<Update> {
         let contents = self.lock();
         let quiet = |contents: &mut Contents| contents.stamp <= cursor.stamp;
@@ -276,7 +277,7 @@ mod tests {
         let update = collect(&screen, &mut page);
         assert_eq!((update.len(), update[0].new_size, update[0].tiles.len()), (1, Some([40, 30]), 0));
         // A tile that is partly outside of the view.
-        screen.put(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.5; 4]; 256]);
+        screen.put_pixels(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.5; 4]; 256]);
         let update = collect(&screen, &mut page);
         let (x, y, tile) = &update[0].tiles[0];
         assert_eq!((*x, *y, tile.width, tile.height, tile.pixels[0]), (0, 0, 11, 12, [0.5; 4]));
@@ -285,13 +286,13 @@ mod tests {
         assert!(collect(&screen, &mut page).is_empty());
         // A new page receives all tiles.
         assert_eq!(collect(&screen, &mut Cursor::default())[0].tiles.len(), 1);
-        screen.put(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.25; 4]; 256]);
+        screen.put_pixels(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.25; 4]; 256]);
         assert_eq!(collect(&screen, &mut page)[0].tiles.len(), 1);
-        assert!(screen.finished().is_none());
+        assert!(screen.finished_picture().is_none());
         screen.mark_finished();
-        assert!(screen.finished().is_some());
+        assert!(screen.finished_picture().is_some());
         screen.begin_picture(View { area });
-        assert_eq!(screen.previous().map(|image| image.pixels[0]), Some([0.25; 4]));
+        assert_eq!(screen.previous_picture().map(|image| image.pixels[0]), Some([0.25; 4]));
     }
 
     #[test]
@@ -301,7 +302,7 @@ mod tests {
         screen.begin_picture(View { area });
         for at in 0..1200 {
             let (x, y) = (at % 40 * 16, at / 40 * 16);
-            screen.put(Region { x, y, width: 16, height: 16 }, &[[1.0; 4]; 256]);
+            screen.put_pixels(Region { x, y, width: 16, height: 16 }, &[[1.0; 4]; 256]);
         }
         screen.mark_finished();
         let update = collect(&screen, &mut page);
@@ -311,7 +312,7 @@ mod tests {
         // A tile that changes while others are pending is sent again.
         let mut page = Cursor::default();
         screen.wait(&mut page, Duration::ZERO);
-        screen.put(Region { x: 0, y: 0, width: 16, height: 16 }, &[[0.5; 4]; 256]);
+        screen.put_pixels(Region { x: 0, y: 0, width: 16, height: 16 }, &[[0.5; 4]; 256]);
         let tiles: Vec<_> = collect(&screen, &mut page).into_iter().flat_map(|update| update.tiles).collect();
         assert!(tiles.iter().any(|(x, y, tile)| (*x, *y, tile.pixels[0]) == (0, 0, [0.5; 4])));
     }

@@ -133,19 +133,19 @@ impl Server {
                     self.backend.change(change);
                     http::answer(to, "200 OK", JSON, b"{}")
                 }
-                Err(_) => refuse(to, "this is not a change of the settings"),
+                Err(_) => refuse_as_json(to, "this is not a change of the settings"),
             },
             "open" => match serde_json::from_slice(&request.body) {
-                Ok(position) => respond(to, self.backend.open(&position).map(|()| String::new())),
-                Err(_) => refuse(to, "this is not a position"),
+                Ok(position) => respond_as_json(to, self.backend.open(&position).map(|()| String::new())),
+                Err(_) => refuse_as_json(to, "this is not a position"),
             },
-            "save" => respond(to, self.backend.save()),
+            "save" => respond_as_json(to, self.backend.save()),
             _ => http::refuse(to, "404 Not Found", "not found"),
         }
     }
 
     fn send_previous_picture(&self, to: &mut TcpStream) -> io::Result<()> {
-        let image = self.screen.previous();
+        let image = self.screen.previous_picture();
         let encoding = Encoding { alpha: true, ..Encoding::new(Format::Png) };
         match image.and_then(|image| encode(&image, &encoding).ok()) {
             Some(png) => http::answer(to, "200 OK", "image/png", &png),
@@ -154,13 +154,13 @@ impl Server {
     }
 }
 
-fn refuse(to: &mut TcpStream, why: &str) -> io::Result<()> {
+fn refuse_as_json(to: &mut TcpStream, why: &str) -> io::Result<()> {
     http::answer(to, "400 Bad Request", JSON, json!({"error": why}).to_string().as_bytes())
 }
 
-fn respond(to: &mut TcpStream, done: Result<String, String>) -> io::Result<()> {
+fn respond_as_json(to: &mut TcpStream, done: Result<String, String>) -> io::Result<()> {
     match done {
         Ok(text) => http::answer(to, "200 OK", JSON, json!({"text": text}).to_string().as_bytes()),
-        Err(why) => refuse(to, &why),
+        Err(why) => refuse_as_json(to, &why),
     }
 }

@@ -76,7 +76,7 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&scene::PHOTON_MAP, "`photons` of `global_settings`", "photons.md#of-global_settings"),
 ];
 
-/// Documented shapes, patterns and warps.
+/// Returns the documented shapes, patterns and warps.
 pub fn shape_pattern_warp_entries() -> impl Iterator<Item = Entry> {
     let families = [
         ("shape", true, "shapes.md", Shape::SPECS),
@@ -89,7 +89,7 @@ pub fn shape_pattern_warp_entries() -> impl Iterator<Item = Entry> {
     })
 }
 
-/// All documented blocks: those of [`BLOCKS`], then shapes, patterns and warps.
+/// Returns all documented blocks: those of [`BLOCKS`], then shapes, patterns and warps.
 pub fn entries() -> impl Iterator<Item = Entry> {
     BLOCKS.iter().copied().chain(shape_pattern_warp_entries())
 }

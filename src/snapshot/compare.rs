@@ -86,7 +86,8 @@ fn pixel_differences(a: &Frame, b: &Frame) -> Vec<u8> {
 }
 
 /// Returns a map of the differences of two pictures of one size: the expected picture in dim gray, with colours from
-/// red for one step through orange and yellow to white for the largest difference.
+/// red for one step through orange and yellow to white for the largest difference. For pictures of different sizes, a
+/// single black pixel.
 pub fn difference_map(expected: &Frame, rendered: &Frame) -> Frame {
     let paint = |(pixel, d): (&[f32; 4], u8)| {
         let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);

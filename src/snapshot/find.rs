@@ -28,8 +28,8 @@ impl Case {
     }
 }
 
-/// Returns the scenes among `paths`, and the scenes with a snapshot in the folders among `paths`, sorted by path.
-/// Hidden folders and Cargo's `target` are omitted.
+/// Returns the scenes among `paths`, with or without a snapshot, the scenes of the snapshots among `paths`, and the scenes
+/// with a snapshot in and below the folders among `paths`; sorted by path. Hidden folders and Cargo's `target` are omitted.
 ///
 /// # Errors
 /// If a path does not exist or a folder cannot be read.
@@ -54,7 +54,8 @@ fn scene_of(files: &dyn Files, path: &Path) -> PathBuf {
     beside.into_iter().find(|scene| is_snapshot(path) && files.is_file(scene)).unwrap_or(path.to_path_buf())
 }
 
-/// Returns the options in a comment at the start of a scene, as in `//! test: --size 128x96 --aa off`.
+/// Returns the options in a comment at the start of a scene, as in `//! test: --size 128x96 --aa off`, without the prefix;
+/// `None` without such a comment.
 pub fn test_options(text: &str) -> Option<&str> {
     let lines = text.lines().map(str::trim);
     let mut comments = lines.take_while(|line| line.is_empty() || line.starts_with("//"));

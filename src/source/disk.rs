@@ -159,7 +159,7 @@ enum DraftStorage {
 }
 
 impl Draft {
-    /// A draft whose bytes stay in memory until [`Draft::commit`].
+    /// Creates a draft whose bytes stay in memory until [`Draft::commit`].
     pub fn in_memory(path: &Path) -> Self {
         Self { path: path.to_path_buf(), bytes: DraftStorage::Memory(Cursor::default()), is_durable: false }
     }

@@ -120,7 +120,8 @@ pub trait Files: Send + Sync {
         self.metadata(path).is_ok_and(|metadata| metadata.kind == FileKind::Folder)
     }
 
-    /// Returns the state of a file, which differs after the file was written; `None` if the file does not exist.
+    /// Returns the state of a file, which differs after the file was written; `None` if the file does not exist, or the
+    /// storage does not record the time of the last write.
     fn stamp(&self, path: &Path) -> Option<Stamp> {
         let metadata = self.metadata(path).ok()?;
         Some(Stamp { modified: metadata.modified?, length: metadata.length })

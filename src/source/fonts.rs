@@ -93,8 +93,8 @@ pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
     found
 }
 
-/// Returns the font file in and below these folders whose style is nearest to the style of the font `name`. The result
-/// depends only on the set of files that may be read.
+/// Returns the font file in and below these folders whose style is nearest to the style of the font `name`; `None` if no
+/// font file may be read. The result depends only on the set of files that may be read.
 pub fn find_similar_font(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of_font_name(name));
     found.sort_by_cached_key(|file| (style_difference_key(wanted, file), file.clone()));

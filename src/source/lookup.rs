@@ -19,7 +19,7 @@ pub struct LookedUpFiles {
 }
 
 impl LookedUpFiles {
-    /// Adds the files of another run.
+    /// Adds the files of another run, whose hashes and answers replace those about the same path.
     pub fn extend(&mut self, other: Self) {
         self.read.extend(other.read);
         self.lookups.extend(other.lookups);

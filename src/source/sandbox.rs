@@ -87,8 +87,8 @@ impl Sandbox {
         Self { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory }
     }
 
-    /// Returns the rules that let a scene read below all folders of the search path, and create files below the current
-    /// folder.
+    /// Returns the rules that let a scene read below all folders of the search path and of its fonts, and create files below
+    /// the current folder.
     pub fn for_search_path(search: &super::SearchPath) -> Self {
         // Fonts are not confidential, and include folders hold links to them.
         let read = search.folders.iter().chain(&search.fonts).cloned().collect();

@@ -23,14 +23,14 @@ pub struct Found {
 }
 
 impl SearchPath {
-    /// Creates the include path of a scene on this machine. `options` are the folders of `-I`.
-    pub fn new(scene_folder: &Path, options: &[PathBuf]) -> Self {
+    /// Creates the include path of a scene on this machine. `option_folders` are those of `-I`.
+    pub fn new(scene_folder: &Path, option_folders: &[PathBuf]) -> Self {
         let mut folders = vec![scene_folder.to_path_buf()];
         // Scenes write their files into the current folder.
         if scene_folder != Path::new(".") {
             folders.push(PathBuf::from("."));
         }
-        folders.extend(options.iter().cloned());
+        folders.extend(option_folders.iter().cloned());
         if let Some(list) = std::env::var_os("DURER_INCLUDE") {
             folders.extend(std::env::split_paths(&list));
         }
@@ -77,7 +77,7 @@ impl SearchPath {
         })
     }
 
-    fn search(&self, name: &str, beside: Option<&Path>, is_there: impl Fn(&Path) -> bool) -> Option<PathBuf> {
+    fn search(&self, name: &str, last_folder: Option<&Path>, is_there: impl Fn(&Path) -> bool) -> Option<PathBuf> {
         let name = Path::new(name);
         if name.as_os_str().is_empty() {
             return None;
@@ -85,7 +85,7 @@ impl SearchPath {
         if name.is_absolute() {
             return is_there(name).then(|| name.to_path_buf());
         }
-        let folders = self.folders.iter().map(PathBuf::as_path).chain(beside);
+        let folders = self.folders.iter().map(PathBuf::as_path).chain(last_folder);
         folders.into_iter().map(|folder| folder.join(name)).find(|path| is_there(path))
     }
 }

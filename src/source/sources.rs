@@ -108,7 +108,7 @@ impl Sources {
         self.texts.get(id.0 as usize).map_or("", |f| &f.name)
     }
 
-    /// Returns the path of a text; `None` for standard input.
+    /// Returns the path of a text; `None` for a text without a file, such as standard input.
     pub fn path(&self, id: FileId) -> Option<&Path> {
         self.texts.get(id.0 as usize).and_then(|f| f.path.as_deref())
     }
@@ -118,7 +118,7 @@ impl Sources {
         self.texts.get(id.0 as usize).map_or(0, |f| f.base)
     }
 
-    /// Returns the text that contains a span, and the byte range in that text.
+    /// Returns the text that contains a span, and the byte range in that text; `None` for [`Span::NONE`].
     pub fn locate(&self, span: Span) -> Option<(FileId, std::ops::Range<usize>)> {
         if span.is_none() {
             return None;
@@ -134,7 +134,7 @@ impl Sources {
         Some((FileId(a as u32), (lo - file.base).min(end)..hi.saturating_sub(file.base).min(end)))
     }
 
-    /// Returns the part of a text that a span covers.
+    /// Returns the part of a text that a span covers; empty for [`Span::NONE`].
     pub fn snippet(&self, span: Span) -> &str {
         match self.locate(span) {
             Some((id, range)) => self.text(id).get(range).unwrap_or(""),
@@ -142,7 +142,7 @@ impl Sources {
         }
     }
 
-    /// Returns the file, line and column of a span's first byte.
+    /// Returns the file, line and column of a span's first byte; `None` for [`Span::NONE`].
     pub fn place(&self, span: Span) -> Option<Place> {
         let (id, range) = self.locate(span)?;
         let file = self.texts.get(id.0 as usize)?;

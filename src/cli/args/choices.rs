@@ -95,7 +95,7 @@ pub enum Dump {
     World,
 }
 
-/// Format of results.
+/// Format of the results of `durer test`.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageFormat {
     /// For people
@@ -104,7 +104,7 @@ pub enum MessageFormat {
     Json,
 }
 
-/// Format of messages.
+/// Format of the messages of `durer check`.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckFormat {
     /// For people

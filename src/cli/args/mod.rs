@@ -460,7 +460,7 @@ pub struct CompletionsArgs {
 }
 
 impl SceneArgs {
-    /// Returns the width and height of the picture.
+    /// Returns the width and height of the picture: 640x480 without `--size`.
     pub fn size(&self) -> Size {
         self.size.unwrap_or_default()
     }

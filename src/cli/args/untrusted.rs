@@ -27,7 +27,7 @@ impl SceneArgs {
     }
 
     /// Returns the memory limit of the process; `None` for the limit of the machine.
-    pub fn memory_limit(&self) -> Option<Bytes> {
+    pub fn memory_limit_if_set(&self) -> Option<Bytes> {
         self.max_memory.or_else(|| self.is_untrusted().then_some(MAX_MEMORY))
     }
 }

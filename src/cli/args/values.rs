@@ -76,7 +76,7 @@ impl FromStr for Version {
     }
 }
 
-/// Threshold of anti-aliasing: `0.3` or `off`.
+/// Threshold of anti-aliasing, 0 or more: `0.3`, or `None` for `off`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Antialias(pub Option<f64>);
 
@@ -134,7 +134,7 @@ impl FromStr for Share {
     }
 }
 
-/// Exponent of a transfer curve.
+/// Exponent of a transfer curve, from 0.1 to 10.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gamma(pub f64);
 
@@ -285,7 +285,7 @@ impl FromStr for Declare {
     }
 }
 
-/// Memory size in bytes: `500M`, `2G`.
+/// Memory size in bytes: `500M`, `2G`. The letters are powers of 1024.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bytes(pub u64);
 

@@ -27,8 +27,8 @@ struct Entry {
 }
 
 impl FinishedFrames {
-    /// Opens the journal of the animation whose pictures are numbered variants of `picture`. Without `resume`, the old
-    /// journal is deleted.
+    /// Reads the journal of the animation whose pictures are numbered variants of `picture`. Without `resume`, the old
+    /// journal is deleted. A journal that the system cannot open counts as empty.
     ///
     /// # Errors
     /// If the journal is not a plain file (E0004).
@@ -66,9 +66,9 @@ impl FinishedFrames {
         self.old.iter().any(|entry| entry.frame == frame)
     }
 
-    /// Adds a finished frame, and waits for the disk if `is_durable`. If the entry cannot be written, `--resume` would
+    /// Adds a finished frame, and waits for the disk if `waits_for_disk`. If the entry cannot be written, `--resume` would
     /// render the frame again.
-    pub fn add(&self, frame: u32, picture: &Path, begun: Begun, is_durable: bool) {
+    pub fn add(&self, frame: u32, picture: &Path, begun: Begun, waits_for_disk: bool) {
         let Ok(bytes) = std::fs::read(picture) else { return };
         let entry = Entry { frame, picture: picture.into(), hash: ContentHash::of(&bytes), begun };
         // A line that a killed process has cut off ends here.
@@ -76,14 +76,14 @@ impl FinishedFrames {
         let Ok(exclusive) = Exclusive::wait_for(&self.path) else { return };
         let mut file = exclusive.file();
         let written = file.seek(SeekFrom::End(0)).and_then(|_| file.write_all(line.as_bytes()));
-        if written.is_ok() && is_durable {
+        if written.is_ok() && waits_for_disk {
             let _ = file.sync_data();
             sync_folder_of(&self.path);
         }
     }
 
     /// Deletes the journal of a finished animation.
-    pub fn remove(&self) {
+    pub fn delete_journal(&self) {
         if let Ok(file) = Exclusive::wait_for(&self.path) {
             file.delete();
         }

@@ -53,8 +53,8 @@ impl Begun {
         serde_json::from_slice(text).map_err(damaged)
     }
 
-    /// True if this program would do the same work now: with these options, and from files that did not change. `known_hashes`
-    /// has the hashes of files that this process will not read again.
+    /// True if this program would do the same work now: with these options, and from files and look-ups that did not change.
+    /// `known_hashes` has the hashes of files that this process will not read again. The value of `now` is not compared.
     pub fn is_current(&self, options: &str, known_hashes: &ReadFiles) -> bool {
         let hash = |path: &Path| {
             let on_disk = || Disk.read(path).ok().map(|bytes| ContentHash::of(&bytes));
@@ -69,7 +69,8 @@ impl Begun {
 }
 
 impl Work {
-    /// Returns the reason why this work cannot continue `other`; `None` if both are the same.
+    /// Returns the reason why this work cannot continue `other`; `None` if it can. Files that only `other` has read are no
+    /// reason.
     pub fn difference_reason(&self, other: &Work) -> Option<String> {
         if self.options != other.options {
             return Some("it was rendered with other options".into());

@@ -36,12 +36,13 @@ impl Journal {
         &self.path
     }
 
-    /// True if an earlier run has stored light in the file.
+    /// True if an earlier run has stored light in the file, complete or not. False before [`Journal::resume`].
     pub fn has_light(&self) -> bool {
         self.state().light.parts.iter().any(|parts| !parts.is_empty())
     }
 
-    /// Returns the bytes of a file of light that an earlier run has stored; `None` for none. The file may be incomplete.
+    /// Returns the bytes of a file of light that an earlier run has stored; `None` for none, and if reading fails. The file of
+    /// light may be incomplete.
     pub fn load_light(&self, kind: LightKind) -> Option<Vec<u8>> {
         let state = self.state();
         let parts = &state.light.parts[kind as usize];
@@ -57,7 +58,8 @@ impl Journal {
         Some(bytes)
     }
 
-    /// Adds a file of light, whose bytes `write` writes. A write error removes the light, but later tiles are stored.
+    /// Adds a file of light, whose bytes `write` writes, without waiting for the delay of [`Journal::begin`]. A write error
+    /// removes the light, but later tiles are stored. After an error of the journal itself, does nothing.
     pub fn store_light(&self, kind: LightKind, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
         let mut state = self.state();
         if state.error.is_some() {
@@ -77,7 +79,7 @@ impl Journal {
         self.sync(unsynced);
     }
 
-    /// Returns the error for which light is not in the journal.
+    /// Returns the error that ended the last attempt to store light; `None` without an error.
     pub fn light_failure(&self) -> Option<String> {
         self.state().light.error.as_ref().map(ToString::to_string)
     }

@@ -26,13 +26,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Locks the journal of a picture.
+/// Opens or creates the journal of a picture, and locks it while the returned value exists.
 ///
 /// # Errors
 /// If another process renders the picture, or the journal is not a plain file (E0004).
 pub fn lock(picture: &Path) -> exit::Result<Journal> {
     // A picture and a link to the picture are one output.
-    let path = path_beside(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    let path = journal_path(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
     match Exclusive::open(&path) {
         Ok(file) => Ok(Journal::new(file)),
         Err(error) => Err(lock_failure(picture, &path, error)),
@@ -41,7 +41,7 @@ pub fn lock(picture: &Path) -> exit::Result<Journal> {
 
 /// Deletes the journal of a finished frame, which a run that was killed just after the frame has left.
 pub fn remove_finished_journal(picture: &Path) {
-    let path = path_beside(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    let path = journal_path(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
     if path.is_file()
         && let Ok(file) = Exclusive::open(&path)
     {
@@ -87,9 +87,9 @@ pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, fir
     journal.begin(work, first_write_delay);
 }
 
-/// Closes the journal, which waits for the disk, and returns a line that says where the tiles of the unfinished picture
-/// are; `None` if there are none and nothing failed.
-pub fn close_with_note(journal: &Journal) -> Option<String> {
+/// Writes the pending records of the journal, waits for the disk, and returns a line that states where the unfinished
+/// picture is; `None` if the journal is not begun in its file and nothing failed.
+pub fn flush_and_describe(journal: &Journal) -> Option<String> {
     let Some(path) = journal.write_pending_returning_path() else { return failure_note(journal) };
     let path = path.display();
     let stored = match journal.failure() {
@@ -100,7 +100,7 @@ pub fn close_with_note(journal: &Journal) -> Option<String> {
     Some(format!("{stored}; {command} continues it\n"))
 }
 
-/// Returns a line about a journal that could not be written, whole or in part.
+/// Returns a line about a journal that could not be written, whole or in part; `None` if nothing failed.
 pub fn failure_note(journal: &Journal) -> Option<String> {
     let failure = journal.failure().map(|reason| format!("cannot write the resume journal: {reason}\n"));
     failure.or_else(|| {
@@ -109,8 +109,8 @@ pub fn failure_note(journal: &Journal) -> Option<String> {
     })
 }
 
-/// The path of a picture's journal: the picture's path and `.unfinished`.
-pub fn path_beside(picture: &Path) -> PathBuf {
+/// Returns the path of a picture's journal: the picture's path and `.unfinished`.
+pub fn journal_path(picture: &Path) -> PathBuf {
     let mut name = picture.as_os_str().to_os_string();
     name.push(".unfinished");
     name.into()
@@ -123,7 +123,7 @@ const MAX_HEADER: u64 = 1 << 26;
 /// Time between two waits for the disk. A power loss costs at most the tiles that were finished within this time.
 const SYNC_INTERVAL: Duration = Duration::from_secs(5);
 
-/// The tiles of a picture that is being rendered.
+/// Journal of a picture that is being rendered: finished tiles, photons and radiosity samples in a locked file.
 pub struct Journal {
     path: PathBuf,
     /// True for the journal of a shard: the same command continues the work without `--resume`.
@@ -139,9 +139,9 @@ struct State {
     new_work: Option<Work>,
     /// Key of the records; `None` before the header is written.
     key: Option<Key>,
-    /// Offsets in the file of the pixels of finished tiles, by pass and corner.
+    /// Areas of the tiles that an earlier run has finished, and offsets of their pixels in the file, by pass and corner.
     known: HashMap<(u8, usize, usize), (Region, u64)>,
-    /// Photons and radiosity samples in the file.
+    /// Photons and radiosity samples in the file that an earlier run has stored.
     light: StoredLight,
     /// Length of the header and all records in the file.
     end: u64,
@@ -193,7 +193,8 @@ impl Journal {
         read_header(&mut reader_from_start(state.file.file()).ok()?).and_then(|header| Begun::parse(&header)).ok()
     }
 
-    /// Begins a journal of new work. The file's old contents remain until rendering has taken longer than `first_write_delay`.
+    /// Begins a journal of new work. The file's old contents remain until light is stored, or a tile that is finished after
+    /// `first_write_delay`.
     pub fn begin(&self, work: Work, first_write_delay: Duration) {
         let mut state = self.state();
         state.begins = Instant::now().checked_add(first_write_delay);
@@ -214,7 +215,7 @@ impl Journal {
         }
         let (key, mut end) = (Key::of(&header), header.len() as u64);
         let (mut known, mut light) = (HashMap::new(), StoredLight::default());
-        while let Some(Record { content, length }) = key.read(&mut reader, end)? {
+        while let Some(Record { content, length }) = key.read_record(&mut reader, end)? {
             let offset = end + HEAD as u64;
             match content {
                 Content::Tile(Tile { pass, area }) => _ = known.insert((pass, area.x, area.y), (area, offset)),
@@ -228,7 +229,7 @@ impl Journal {
         Ok(())
     }
 
-    /// Returns the pixels of a tile that was finished by an earlier run.
+    /// Returns the pixels of a tile that an earlier run has finished, row by row; `None` for another tile, or if reading fails.
     pub fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
         let state = self.state();
         let (area, at) = state.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
@@ -250,7 +251,7 @@ impl Journal {
         let Some(key) = &state.key else { return Ok(vec![]) };
         let mut reader = reader_from_start(state.file.file()).map_err(|e| unreadable_reason(&e))?;
         let (mut at, mut tiles) = (read_header(&mut reader)?.len() as u64, vec![]);
-        while let Some(record) = key.read(&mut reader, at)? {
+        while let Some(record) = key.read_record(&mut reader, at)? {
             if let Some(tile) = record.tile().filter(|tile| tile.pass == FINAL_PASS) {
                 tiles.push((tile.area, at + HEAD as u64));
             }
@@ -266,7 +267,8 @@ impl Journal {
         self.state().pixels_at(area, file_offset)
     }
 
-    /// Adds a finished tile. A write error ends the journal, but not the rendering.
+    /// Adds a finished tile. Before the delay of [`Journal::begin`] is over, the tile is not stored at all. A write error ends
+    /// the journal, but not the rendering.
     pub fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
         let mut state = self.state();
         if state.error.is_some() || state.begins.is_none_or(|begins| Instant::now() < begins) {
@@ -281,7 +283,8 @@ impl Journal {
         self.sync(unsynced);
     }
 
-    /// Writes all pending records, and waits for the disk. Returns the path of the journal if this run has written its header.
+    /// Writes all pending records, and waits for the disk. Returns the path of the journal; `None`, without writing, if
+    /// [`Self::has_header`] is false. An error is only noted for [`Self::failure`].
     pub fn write_pending_returning_path(&self) -> Option<&Path> {
         let mut state = self.state();
         state.key.as_ref()?;
@@ -294,8 +297,9 @@ impl Journal {
         Some(&self.path)
     }
 
-    /// True if this run's header is in the journal's file, which is so once rendering has taken some time.
-    pub fn is_written(&self) -> bool {
+    /// True if the header of this run's work is in the journal's file: after [`Self::resume`], or once a tile or light is
+    /// stored.
+    pub fn has_header(&self) -> bool {
         self.state().key.is_some()
     }
 
@@ -304,8 +308,8 @@ impl Journal {
         self.state().error.as_ref().map(ToString::to_string)
     }
 
-    /// Deletes the journal's file after the picture has been written. A file without this run's header, which may be of
-    /// other work, remains.
+    /// Deletes the journal's file after the picture has been written. A file without the header of this run's work, which may
+    /// be of other work, remains.
     pub fn remove_if_written(&self) {
         let state = self.state();
         if state.key.is_some() {
@@ -398,7 +402,8 @@ impl State {
         self.synced.is_none_or(|synced| synced.elapsed() >= interval)
     }
 
-    /// Returns the file if it is time to wait for the disk; `None` if the last wait was not longer ago than `interval`.
+    /// Returns the file if it is time to wait for the disk, and counts the wait as done; `None` before the header is written,
+    /// and if the last wait was not longer ago than `interval`.
     fn take_file_if_sync_due(&mut self, interval: Duration) -> Option<UnsyncedFile> {
         let is_first = self.synced.is_none();
         if self.key.is_none() || !self.is_sync_due(interval) {

@@ -115,11 +115,12 @@ impl Key {
         out.extend(sum);
     }
 
-    /// Reads the record at `record_offset`; `None` at the end of the file, and if the record is cut off.
+    /// Reads the next record of `from`, which is at `record_offset` in the file. `None` at the end of the file, if the record
+    /// is cut off, and if its checksum is wrong but the file ends with zeros, as after a power loss.
     ///
     /// # Errors
     /// If the record is damaged or from another journal, or cannot be read.
-    pub fn read(&self, from: &mut impl Read, record_offset: u64) -> Result<Option<Record>, String> {
+    pub fn read_record(&self, from: &mut impl Read, record_offset: u64) -> Result<Option<Record>, String> {
         let mut bytes = vec![0; HEAD];
         if !fill_unless_file_ends(from, &mut bytes)? {
             return Ok(None);

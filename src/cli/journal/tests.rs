@@ -45,7 +45,7 @@ fn header_length(journal: &[u8]) -> usize {
 #[test]
 fn records_before_a_cut_are_known() {
     let folder = tempfile::tempdir().unwrap();
-    let path = path_beside(&folder.path().join("a.png"));
+    let path = journal_path(&folder.path().join("a.png"));
     let whole = written(&path, work("a"));
     let header = header_length(&whole);
     let size = (whole.len() - header) / 9;

@@ -49,7 +49,7 @@ fn option_row(arg: &Arg) -> [String; 2] {
     [in_backticks(shown.trim()), help.replace('<', "&lt;") + &described_values(arg) + &default.unwrap_or_default()]
 }
 
-/// Returns the values of an option with their descriptions.
+/// Returns the values of an option with their descriptions, after `: `; empty if a value has none.
 fn described_values(arg: &Arg) -> String {
     let values = arg.get_possible_values();
     if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
@@ -83,12 +83,12 @@ fn povray_row(row: &Row) -> [String; 4] {
     };
     let switch = if row.switch.is_empty() { String::new() } else { in_backticks(&format!("+{}{value}", row.switch)) };
     let ini = if row.ini.is_empty() { String::new() } else { in_backticks(row.ini) };
-    let (on, off) = (effect(&row.on), effect(&row.off));
+    let (on, off) = (effect_text(&row.on), effect_text(&row.off));
     let off = if off == on { String::new() } else { off };
     [switch, ini, on, off]
 }
 
-fn effect(effect: &Effect) -> String {
+fn effect_text(effect: &Effect) -> String {
     match effect {
         Effect::Same => "nothing to do".into(),
         Effect::Option(option) | Effect::Flag(option) | Effect::Whole(option, ..) => in_backticks(option),

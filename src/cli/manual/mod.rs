@@ -105,7 +105,7 @@ fn section(block: &Spec, title: &str, durer_words: &[&str]) -> String {
     text
 }
 
-/// Capitalizes the first letter of a manual's sentence.
+/// Capitalizes the first letter of a manual's sentence, except in the name `durer`.
 fn capitalize_sentence(text: &str) -> String {
     let mut chars = text.chars();
     let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();

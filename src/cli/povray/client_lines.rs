@@ -15,8 +15,8 @@ pub const PARSING: &str = "==== [Parsing...] ===================================
 /// Line that is printed before a picture is rendered.
 pub const RENDERING: &str = "==== [Rendering...] ========================================================\n";
 
-/// Returns the progress of a rendering. As in POV-Ray, the next progress overwrites the line.
-pub fn progress(done: usize, total: usize) -> String {
+/// Returns the line that `done` of `total` pixels are rendered. As in POV-Ray, the next progress overwrites the line.
+pub fn progress_line(done: usize, total: usize) -> String {
     format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
 }
 

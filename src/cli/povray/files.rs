@@ -42,10 +42,11 @@ impl<'s> Files<'s> {
         Diagnostic::new(codes::FORBIDDEN_FILE, span, text).help("name the scene on the command line").into()
     }
 
-    /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
+    /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`, and adds it to the stack of open INI files. A file
+    /// that is open already is an error.
     pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
-        let path = self.path_here_or_beside_ini(&with_ini_extension(name), Path::is_file);
+        let path = self.path_here_or_beside_ini(&ini_file_name(name), Path::is_file);
         self.check_ini_may_name(&path, span)?;
         let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
         if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
@@ -69,7 +70,7 @@ impl<'s> Files<'s> {
     /// True if a word names an INI file, also one that is beside the INI file with the word.
     pub fn is_ini(&self, word: &str) -> bool {
         let exists = |word: &str| self.path_here_or_beside_ini(word, Path::is_file).is_file();
-        is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini_extension(word))
+        is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&ini_file_name(word))
     }
 
     /// Removes the innermost INI file after its end.
@@ -111,14 +112,16 @@ pub fn is_ini(word: &str) -> bool {
     let path = Path::new(name);
     !Path::new(word).is_file() && section.is_some()
         || has_ini_extension(path)
-        || path.extension().is_none() && !path.is_file() && Path::new(&with_ini_extension(name)).is_file()
+        || path.extension().is_none() && !path.is_file() && Path::new(&ini_file_name(name)).is_file()
 }
 
 fn has_ini_extension(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("ini"))
 }
 
-fn with_ini_extension(name: &str) -> String {
+/// Returns the name of the INI file that a word means: `name` if it has the extension `.ini` or is a file, else `name` with
+/// `.ini`.
+fn ini_file_name(name: &str) -> String {
     if has_ini_extension(Path::new(name)) || Path::new(name).is_file() { name.into() } else { format!("{name}.ini") }
 }
 

@@ -5,12 +5,12 @@ use crate::diagnostic::{Diagnostic, codes};
 use std::path::{Component, Path};
 
 impl Translation<'_> {
-    /// Checks a setting of an INI file that names files or folders. Returns true if the setting is ignored with a
-    /// warning, because the INI file is untrusted.
+    /// Checks a setting of an INI file that names files or folders. If the setting is ignored because the INI file is
+    /// untrusted, adds a warning and returns true. False for options of the command line.
     ///
     /// # Errors
     /// E0235 if the name of the picture or of the radiosity's file, or of one of their folders, begins with a dot.
-    pub(super) fn is_ignored_in_ini(
+    pub(super) fn ignores_with_warning(
         &mut self,
         row: &Row,
         text: &str,

@@ -50,9 +50,9 @@ pub fn first_index_and_word(words: &[OsString]) -> Option<(usize, String)> {
     }
 }
 
-/// True if the word is a command that reads a scene, and no file has this name.
-pub fn is_scene_command(word: &str) -> bool {
-    commands().find_subcommand(word).is_some_and(accepts_povray_options) && !Path::new(word).exists()
+/// True if the word is a command that accepts POV-Ray's options, `render`, `check` or `pick`, and no file has this name.
+pub fn accepts_povray_words(command: &str) -> bool {
+    commands().find_subcommand(command).is_some_and(accepts_povray_options) && !Path::new(command).exists()
 }
 
 fn accepts_povray_options(command: &Command) -> bool {
@@ -90,7 +90,7 @@ fn mark_povray_options<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a
     out
 }
 
-/// True for a POV-Ray switch and for `Name=Value`, unless a file has this name.
+/// True for any word after `+`, for a known POV-Ray switch after `-`, and for `Name=Value`, unless a file has this name.
 fn is_povray_option(text: &str) -> bool {
     if Path::new(text).exists() {
         return false;
@@ -106,8 +106,8 @@ fn is_povray_option(text: &str) -> bool {
 }
 
 impl Translation<'_> {
-    /// Puts the translated POV-Ray options before durer's own. The default of anti-aliasing is durer's unless `+A` or
-    /// `-A` is given.
+    /// Translates the POV-Ray options after a durer command, and puts them before durer's own, which have precedence. The
+    /// default of anti-aliasing is durer's unless `+A` or `-A` is given.
     pub(super) fn translate_mixed(mut self, words: &[OsString], command_index: usize) -> Translated {
         let all = commands();
         let Some(command) = words.get(command_index).and_then(|word| all.find_subcommand(word)) else {
@@ -116,7 +116,7 @@ impl Translation<'_> {
         let mut own = Vec::new();
         for (word, is_povray) in mark_povray_options(command, &words[command_index + 1..]) {
             match is_povray {
-                true => self.option(&word.to_string_lossy(), Origin::default()),
+                true => self.translate_option(&word.to_string_lossy(), Origin::default()),
                 false => own.push(word.clone()),
             }
         }
@@ -132,7 +132,7 @@ impl Translation<'_> {
         };
         self.translate_text_stream_options();
         let options =
-            self.option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
+            self.take_option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
         let options = options
             .filter(|own| subcommand_takes_option(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);

@@ -51,7 +51,8 @@ pub struct Translated {
     pub text_output: TextOutput,
 }
 
-/// Translates a command line of POV-Ray. A command line of durer is returned unchanged.
+/// Translates a command line of POV-Ray, or the POV-Ray options after a durer command. A command line of durer alone is
+/// returned unchanged.
 pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     if let [program, word] = &words[..]
         && ["-?", "+?", "-H", "+H", "-HELP"].iter().any(|help| word.eq_ignore_ascii_case(help))
@@ -78,7 +79,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
                 translation = Translation::of_line(sources, &words, untrusted, user_ini.as_deref());
             }
             translation.settings.is_povray_line = translation.any_switch && translation.command.is_none();
-            translation.check_scene();
+            translation.add_missing_scene_error();
             translation.into_translated(words.first().cloned().unwrap_or_default())
         }
     }
@@ -114,7 +115,7 @@ fn user_ini() -> Option<PathBuf> {
 /// Translates an INI file into a command line. An untrusted one may name only scenes and INI files below its folder.
 pub fn translate_ini(sources: &Sources, name: &Path, untrusted: bool) -> Translated {
     let mut translation = Translation::new(sources, untrusted);
-    translation.ini(&name.to_string_lossy(), Origin::default());
+    translation.read_ini_file(&name.to_string_lossy(), Origin::default());
     if translation.settings.input.is_none() && translation.faults.is_empty() {
         let message = format!("`{}` names no scene", name.display());
         let help = format!("add a line `Input_File_Name=scene.pov`, or name both: durer scene.pov {}", name.display());
@@ -174,16 +175,16 @@ impl<'s> Translation<'s> {
     fn of_line(sources: &'s Sources, words: &[OsString], untrusted: bool, ini: Option<&Path>) -> Self {
         let mut translation = Self::new(sources, untrusted);
         translation.any_switch = is_named_povray(words);
-        ini.iter().for_each(|ini| translation.ini(&ini.to_string_lossy(), Origin::default()));
+        ini.iter().for_each(|ini| translation.read_ini_file(&ini.to_string_lossy(), Origin::default()));
         let mut rest = words.iter().skip(1).filter(|word| *word != NO_INI).peekable();
         while let Some(word) = rest.next() {
-            translation.word(word, &mut rest);
+            translation.translate_word(word, &mut rest);
         }
         translation
     }
 
     /// Translates a word of the command line, which may be a durer option whose value is the next word.
-    fn word<'a>(&mut self, word: &'a OsString, rest: &mut Peekable<impl Iterator<Item = &'a OsString>>) {
+    fn translate_word<'a>(&mut self, word: &'a OsString, rest: &mut Peekable<impl Iterator<Item = &'a OsString>>) {
         let text = word.to_string_lossy().into_owned();
         match own::name_and_takes_next(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
             Some((name, takes_value)) => {
@@ -191,15 +192,15 @@ impl<'s> Translation<'s> {
                 self.options.push(DurerOption { name, words });
             }
             // `durer +W8 check a.pov`
-            None if self.command.is_none() && self.scenes.is_empty() && mixed::is_scene_command(&text) => {
+            None if self.command.is_none() && self.scenes.is_empty() && mixed::accepts_povray_words(&text) => {
                 self.command = Some(text);
             }
-            None => self.option(&text, Origin::default()),
+            None => self.translate_option(&text, Origin::default()),
         }
     }
 
     /// Translates a switch, a setting, an INI file or a scene.
-    fn option(&mut self, text: &str, origin: Origin) {
+    fn translate_option(&mut self, text: &str, origin: Origin) {
         let text = strip_outer_quotes(text);
         let switch = text.strip_prefix(['+', '-']).filter(|rest| !rest.is_empty());
         let setting =
@@ -208,14 +209,15 @@ impl<'s> Translation<'s> {
             self.any_switch = true;
             find_switch(rest)
                 .ok_or_else(|| unknown_option_error(text, origin))
-                .and_then(|(row, value)| self.apply(row, text, value, text.starts_with('+'), origin))
+                .and_then(|(row, value)| self.apply_option(row, text, value, text.starts_with('+'), origin))
         } else if let Some((name, value)) = setting {
             self.any_switch = true;
             let row = ROWS.iter().find(|row| !row.ini.is_empty() && row.ini.eq_ignore_ascii_case(name));
-            row.ok_or_else(|| unknown_option_error(text, origin)).and_then(|row| self.setting(row, text, value, origin))
+            row.ok_or_else(|| unknown_option_error(text, origin))
+                .and_then(|row| self.translate_setting(row, text, value, origin))
         } else if self.files.is_ini(text) {
             self.any_switch = true;
-            self.ini(text, origin);
+            self.read_ini_file(text, origin);
             Ok(())
         } else if origin.word.is_none() {
             self.scenes.push(input_or_pov_file(self.files.scene_path(text)).into());
@@ -227,7 +229,7 @@ impl<'s> Translation<'s> {
     }
 
     /// Adds an error if POV-Ray's command line names no scene.
-    fn check_scene(&mut self) {
+    fn add_missing_scene_error(&mut self) {
         let has_scene = self.settings.input.is_some() || !self.scenes.is_empty();
         if self.settings.is_povray_line && !has_scene && self.faults.is_empty() {
             let fault = Diagnostic::new(codes::NO_SCENE, Span::NONE, "no input file provided");
@@ -248,24 +250,30 @@ impl<'s> Translation<'s> {
         Ok(())
     }
 
-    fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
+    fn translate_setting(
+        &mut self,
+        row: &'static Row,
+        text: &str,
+        value: &str,
+        origin: Origin,
+    ) -> Result<(), Diagnostic> {
         let value = strip_outer_quotes(value);
-        match (row.takes, switch_value(value)) {
+        match (row.takes, parse_on_off(value)) {
             (Takes::MaybeText, _) if value.is_empty() && row.has_default_text_file() => {
-                self.apply(row, text, "", true, origin)
+                self.apply_option(row, text, "", true, origin)
             }
             (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
-            (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
-            (_, Some(on)) => self.apply(row, text, "", on, origin),
+            (Takes::Number | Takes::Text, _) => self.apply_option(row, text, value, true, origin),
+            (_, Some(on)) => self.apply_option(row, text, "", on, origin),
             (Takes::Nothing, None) => Err(wrong_value_error(text, "it needs `on` or `off`", origin)),
             (Takes::MaybeNumber, None) if number::parse_number_prefix(value).is_none() => {
                 Err(wrong_value_error(text, "it needs `on`, `off` or a number", origin))
             }
-            _ => self.apply(row, text, value, true, origin),
+            _ => self.apply_option(row, text, value, true, origin),
         }
     }
 
-    fn apply(&mut self, row: &Row, text: &str, value: &str, on: bool, origin: Origin) -> Result<(), Diagnostic> {
+    fn apply_option(&mut self, row: &Row, text: &str, value: &str, on: bool, origin: Origin) -> Result<(), Diagnostic> {
         let needs = match row.takes {
             Takes::Number if number::parse_number_prefix(value).is_none() => Some("a number"),
             Takes::Text if value.is_empty() => Some("a value, without a space before it"),
@@ -274,7 +282,7 @@ impl<'s> Translation<'s> {
         if let Some(needs) = needs {
             return Err(wrong_value_error(text, &format!("it needs {needs}"), origin));
         }
-        if self.is_ignored_in_ini(row, text, value, origin)? {
+        if self.ignores_with_warning(row, text, value, origin)? {
             return Ok(());
         }
         self.named.add(row, value, on);
@@ -293,7 +301,7 @@ impl<'s> Translation<'s> {
                 Ok(())
             }
             Effect::Option(name) => {
-                check_value(name, value).map_err(|reason| wrong_value_error(text, &reason, origin))?;
+                check_if_declare(name, value).map_err(|reason| wrong_value_error(text, &reason, origin))?;
                 let value = match name {
                     "--include" => self.files.folder_path(value),
                     "--language" => {
@@ -329,12 +337,12 @@ impl<'s> Translation<'s> {
     }
 
     /// Translates the words of an INI file in place of its name.
-    fn ini(&mut self, name: &str, origin: Origin) {
+    fn read_ini_file(&mut self, name: &str, origin: Origin) {
         match self.files.open_ini(name, origin.word) {
             Ok(ini) => {
                 self.faults.extend(ini.faults);
                 for word in ini.words {
-                    self.option(&word.text, Origin { word: word.span, value: word.value });
+                    self.translate_option(&word.text, Origin { word: word.span, value: word.value });
                 }
                 self.files.close_innermost_ini();
             }
@@ -350,7 +358,7 @@ impl<'s> Translation<'s> {
             self.settings.input = Some(scene.display().to_string());
         }
         self.translate_text_stream_options();
-        let options = self.option_words(self.any_switch);
+        let options = self.take_option_words(self.any_switch);
         let known = |word: &OsString| mixed::subcommand_takes_option(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
         let mut words = vec![program, command.into()];
@@ -371,9 +379,9 @@ impl<'s> Translation<'s> {
         Translated { words, animation, diagnostics, idle, is_povray_line, text_output }
     }
 
-    /// Returns all options in durer's form. With `antialias_off_by_default`, anti-aliasing is off unless `+A` turns it
-    /// on.
-    fn option_words(&mut self, antialias_off_by_default: bool) -> Vec<OsString> {
+    /// Takes all options that were read, and returns them in durer's form. With `antialias_off_by_default`, anti-aliasing is
+    /// off unless `+A` turns it on.
+    fn take_option_words(&mut self, antialias_off_by_default: bool) -> Vec<OsString> {
         let options = own::drop_overridden(std::mem::take(&mut self.options));
         let is_named = |name: &str| options.iter().any(|o| o.name == name);
         // Without a picture file, `+FN` and its kin have no effect.
@@ -387,8 +395,9 @@ impl<'s> Translation<'s> {
     }
 }
 
-/// Checks the value of an option before durer's own parser does, which can't report the position in an INI file.
-fn check_value(option: &str, value: &str) -> Result<(), String> {
+/// Checks the value of `--declare` before durer's own parser does, which can't report the position in an INI file. Values
+/// of other options are not checked here.
+fn check_if_declare(option: &str, value: &str) -> Result<(), String> {
     match option {
         "--declare" => value.parse::<super::args::values::Declare>().map(drop),
         _ => Ok(()),
@@ -403,11 +412,11 @@ pub fn ini_names() -> impl Iterator<Item = &'static str> {
 /// Finds the option with the longest switch at the word's start, and returns the option and its value, the rest.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
     // Try exact numbers first: `+H12abc` is a number, too, but `+HRx` is a misspelt `+HR`.
-    switch_with(word, |value| value.parse::<f64>().is_ok())
-        .or_else(|| switch_with(word, |value| number::parse_number_prefix(value).is_some()))
+    find_switch_with(word, |value| value.parse::<f64>().is_ok())
+        .or_else(|| find_switch_with(word, |value| number::parse_number_prefix(value).is_some()))
 }
 
-fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static Row, &str)> {
+fn find_switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static Row, &str)> {
     let fits = |row: &&Row| {
         let head =
             word.get(..row.switch.len()).filter(|head| !head.is_empty() && head.eq_ignore_ascii_case(row.switch));
@@ -433,8 +442,8 @@ fn strip_outer_quotes(value: &str) -> &str {
     }
 }
 
-/// Parses a switch value: true for `on`, `true`, `yes` and `1`, false for `off`, `false`, `no` and `0`.
-fn switch_value(value: &str) -> Option<bool> {
+/// Parses a switch value: true for `on`, `true`, `yes` and `1`, false for `off`, `false`, `no` and `0`; `None` for others.
+fn parse_on_off(value: &str) -> Option<bool> {
     let is = |words: [&str; 4]| words.iter().any(|w| w.eq_ignore_ascii_case(value));
     match () {
         () if is(["on", "true", "yes", "1"]) => Some(true),

@@ -92,17 +92,17 @@ impl Settings {
         self.change(|p| put(p, n as usize))
     }
 
-    pub fn clock(&mut self, text: &str) -> Checked {
+    pub fn set_clock(&mut self, text: &str) -> Checked {
         self.set_number(text, |p, x| p.clock = Some(x))
     }
 
-    pub fn antialias(&mut self, threshold: &str, on: bool) -> Checked {
+    pub fn set_antialias(&mut self, threshold: &str, on: bool) -> Checked {
         self.antialias = Some(on);
         if threshold.is_empty() { Ok(()) } else { self.set_number(threshold, |p, x| p.threshold = x) }
     }
 
     /// Sets the method of anti-aliasing, 1 or 2.
-    pub fn sampling_method(&mut self, text: &str) -> Checked {
+    pub fn set_sampling_method(&mut self, text: &str) -> Checked {
         let method = match number::parse_whole_prefix(text) {
             Some(1.0) => "grid",
             Some(2.0) => "corners",
@@ -111,26 +111,26 @@ impl Settings {
         self.change(|p| p.sampling_method = Some(method))
     }
 
-    pub fn sampling_depth(&mut self, text: &str) -> Checked {
+    pub fn set_sampling_depth(&mut self, text: &str) -> Checked {
         let depth = number::parse_whole_prefix(text).ok_or("expected a number")?;
         self.change(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
     }
 
     /// Sets the jitter of anti-aliasing; 0 and negative numbers turn it off (manual).
-    pub fn jitter(&mut self, text: &str, on: bool) -> Checked {
+    pub fn set_jitter(&mut self, text: &str, on: bool) -> Checked {
         self.jitters = Some(on);
         if text.is_empty() { Ok(()) } else { self.set_number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
     }
 
-    pub fn antialias_gamma(&mut self, text: &str) -> Checked {
+    pub fn set_antialias_gamma(&mut self, text: &str) -> Checked {
         let gamma = number::parse_number_prefix(text)
             .filter(|x| (0.1..=10.0).contains(x))
             .ok_or("expected a number from 0.1 to 10")?;
         self.change(|p| p.antialias_gamma = Some(gamma))
     }
 
-    /// Sets the type of the picture file: a letter and optional bits per channel, such as `N16`.
-    pub fn file_type(&mut self, text: &str) -> Checked {
+    /// Sets the type of the picture file: a letter, and optional bits per channel or `g` for grayscale, such as `N16` or `Ng`.
+    pub fn set_file_type(&mut self, text: &str) -> Checked {
         let mut letters = text.chars();
         let letter = letters.next().map(|c| c.to_ascii_uppercase());
         self.is_compressed_tga = letter == Some('C');
@@ -159,7 +159,7 @@ impl Settings {
         }
     }
 
-    /// Sets the bits per channel: 5 to 16, rounded up to 8 or 16.
+    /// Sets the bits per channel: 1 to 16, rounded up to 8 or 16.
     pub fn set_bits_per_channel(&mut self, text: &str) -> Checked {
         let bits = number::parse_whole_prefix(text)
             .filter(|bits| (1.0..=16.0).contains(bits))
@@ -167,18 +167,18 @@ impl Settings {
         self.change(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
     }
 
-    pub fn file_gamma(&mut self, text: &str) -> Checked {
+    pub fn set_file_gamma(&mut self, text: &str) -> Checked {
         text.parse::<FileGamma>()?;
         self.change(|p| p.file_gamma = Some(text.to_lowercase()))
     }
 
     /// Turns dithering on or off, and sets the method if one is named.
-    pub fn dither(&mut self, text: &str, on: bool) -> Checked {
+    pub fn set_dither(&mut self, text: &str, on: bool) -> Checked {
         self.dithers = on;
-        if text.is_empty() { Ok(()) } else { self.dither_method(text) }
+        if text.is_empty() { Ok(()) } else { self.set_dither_method(text) }
     }
 
-    pub fn dither_method(&mut self, text: &str) -> Checked {
+    pub fn set_dither_method(&mut self, text: &str) -> Checked {
         let known = ["b2", "b3", "b4", "d1", "d2", "fs"];
         let method = known.into_iter().find(|known| known.eq_ignore_ascii_case(text));
         let method = method.ok_or("the methods are B2, B3, B4, D1, D2 and FS")?;
@@ -249,8 +249,8 @@ impl Settings {
         if is_folder { name } else { name.parent().map(Path::to_path_buf).unwrap_or_default() }
     }
 
-    /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the
-    /// extension of the format.
+    /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the extension of
+    /// the format, except for devices, folders and `-` for standard output. `None` for the default name in the current folder.
     fn output_name_as_povray(&self) -> Option<String> {
         let ending = self.format.unwrap_or("png");
         let Some(name) = self.output.as_ref().filter(|name| !name.is_empty()) else {
@@ -269,7 +269,8 @@ impl Settings {
         Some(format!("{}.{ending}", name.trim_end_matches('.')))
     }
 
-    /// Returns the output file. An extension that is no picture format is a part of the name, as in POV-Ray.
+    /// Returns the output file; `None` without `+O`. An extension that is no picture format is a part of the name, as in
+    /// POV-Ray.
     fn output_name(&self) -> Option<String> {
         let name = self.output.clone().filter(|name| !name.is_empty())?;
         let path = Path::new(&name);

@@ -82,7 +82,7 @@ const NO_SHELL: &str = "durer never runs other programs";
 /// All POV-Ray options, in the order of the manual.
 pub const ROWS: &[Row] = &[
     // 3.2.1 Animation
-    row_ignoring_sign("K", "Clock", Number, Part(|p, v| p.clock(v))),
+    row_ignoring_sign("K", "Clock", Number, Part(|p, v| p.set_clock(v))),
     row_ignoring_sign(
         "KFI",
         "Initial_Frame",
@@ -134,8 +134,8 @@ pub const ROWS: &[Row] = &[
     row_ignoring_sign("SP", "Preview_Start_Size", Number, Idle(NO_WINDOW)),
     row_ignoring_sign("EP", "Preview_End_Size", Number, Idle(NO_WINDOW)),
     // 3.2.4 File output
-    row("F", "Output_to_File", MaybeText, Part(|p, v| p.file_type(v)), Flag("--no-output")),
-    row_ignoring_sign("", "Output_File_Type", Text, Part(|p, v| p.file_type(v))),
+    row("F", "Output_to_File", MaybeText, Part(|p, v| p.set_file_type(v)), Flag("--no-output")),
+    row_ignoring_sign("", "Output_File_Type", Text, Part(|p, v| p.set_file_type(v))),
     row(
         "UA",
         "Output_Alpha",
@@ -159,9 +159,9 @@ pub const ROWS: &[Row] = &[
     row_ignoring_sign("O", "Output_File_Name", Text, Part(|p, v| p.change(|p| p.output = Some(v.into())))),
     row_ignoring_sign("B", "Buffer_Output", MaybeNumber, Same),
     row_ignoring_sign("", "Buffer_Size", Number, Same),
-    row("TH", "Dither", MaybeText, Part(|p, v| p.dither(v, true)), Part(|p, v| p.dither(v, false))),
-    row_ignoring_sign("", "Dither_Method", Text, Part(|p, v| p.dither_method(v))),
-    row_ignoring_sign("FG", "File_Gamma", Text, Part(|p, v| p.file_gamma(v))),
+    row("TH", "Dither", MaybeText, Part(|p, v| p.set_dither(v, true)), Part(|p, v| p.set_dither(v, false))),
+    row_ignoring_sign("", "Dither_Method", Text, Part(|p, v| p.set_dither_method(v))),
+    row_ignoring_sign("FG", "File_Gamma", Text, Part(|p, v| p.set_file_gamma(v))),
     // 3.2.5 Scene parsing
     row_ignoring_sign("", "Declare", Text, Option("--declare")),
     row_ignoring_sign("I", "Input_File_Name", Text, Part(|p, v| p.change(|p| p.input = Some(v.into())))),
@@ -220,13 +220,13 @@ pub const ROWS: &[Row] = &[
     row_ignoring_sign("", "BSP_ChildAccessCost", Number, Same),
     row_ignoring_sign("", "BSP_IsectCost", Number, Same),
     row_ignoring_sign("", "BSP_MissChance", Number, Same),
-    row("A", "Antialias", MaybeNumber, Part(|p, v| p.antialias(v, true)), Part(|p, v| p.antialias(v, false))),
+    row("A", "Antialias", MaybeNumber, Part(|p, v| p.set_antialias(v, true)), Part(|p, v| p.set_antialias(v, false))),
     row_ignoring_sign("", "Antialias_Threshold", Number, Part(|p, v| p.set_number(v, |p, x| p.threshold = x))),
-    row_ignoring_sign("AM", "Sampling_Method", Number, Part(|p, v| p.sampling_method(v))),
-    row_ignoring_sign("AG", "Antialias_Gamma", Number, Part(|p, v| p.antialias_gamma(v))),
-    row_ignoring_sign("R", "Antialias_Depth", Number, Part(|p, v| p.sampling_depth(v))),
-    row("J", "Jitter", MaybeNumber, Part(|p, v| p.jitter(v, true)), Part(|p, v| p.jitter(v, false))),
-    row_ignoring_sign("", "Jitter_Amount", Number, Part(|p, v| p.jitter(v, true))),
+    row_ignoring_sign("AM", "Sampling_Method", Number, Part(|p, v| p.set_sampling_method(v))),
+    row_ignoring_sign("AG", "Antialias_Gamma", Number, Part(|p, v| p.set_antialias_gamma(v))),
+    row_ignoring_sign("R", "Antialias_Depth", Number, Part(|p, v| p.set_sampling_depth(v))),
+    row("J", "Jitter", MaybeNumber, Part(|p, v| p.set_jitter(v, true)), Part(|p, v| p.set_jitter(v, false))),
+    row_ignoring_sign("", "Jitter_Amount", Number, Part(|p, v| p.set_jitter(v, true))),
     row("HR", "High_Reproducibility", Nothing, Same, Same),
     row_ignoring_sign("RF", "Radiosity_File_Name", Text, Part(|p, v| p.change(|p| p.radiosity_file = Some(v.into())))),
     row(

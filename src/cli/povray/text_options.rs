@@ -18,7 +18,8 @@ pub(super) struct TextOptions {
 }
 
 impl Translation<'_> {
-    /// Adds a file for a copy of a stream; no file for an empty name. As in POV-Ray, the file is beside the picture.
+    /// Adds a file for a copy of a stream, in place of an earlier one; no file for an empty name. As in POV-Ray, the file is
+    /// beside the picture.
     ///
     /// # Errors
     /// If the name contains a folder.
@@ -40,8 +41,8 @@ impl Translation<'_> {
         self.text.silent.push((stream, origin.word));
     }
 
-    /// Translates the options about text for a command of durer, which prints errors, warnings and the scene's text, or
-    /// errors alone. The other options get warnings.
+    /// Translates the options about text, after all words are read: into `text_output` for POV-Ray's own command line. A
+    /// command of durer gets `--quiet` for `-GA`, and warnings about the options without effect.
     pub(super) fn translate_text_stream_options(&mut self) {
         let TextOptions { files, silent } = std::mem::take(&mut self.text);
         if silent.iter().any(|(stream, _)| *stream == Stream::All) {

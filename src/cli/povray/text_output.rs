@@ -87,8 +87,8 @@ impl TextFiles {
         self.0.is_empty()
     }
 
-    /// Copies a text into the files of its stream. A file that cannot be written stays incomplete: the text is printed,
-    /// too.
+    /// Copies a text into the files of its stream and of all streams. A file that cannot be written stays incomplete: the
+    /// text is printed, too.
     pub fn write(&self, stream: Stream, text: &str) {
         for (_, file) in self.0.iter().filter(|(of, _)| [Stream::All, stream].contains(of)) {
             let _ = (&*file).write_all(text.as_bytes());
@@ -102,7 +102,8 @@ fn ownership_mark_line() -> String {
     format!("; {BANNER}")
 }
 
-/// Creates a file, or opens one that durer wrote before, and writes the first line.
+/// Creates a file, or opens one that durer wrote before, and writes the first line. The old contents are removed, or kept
+/// if `appends`.
 fn open_own_file(path: &Path, appends: bool) -> Result<File> {
     let is_hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
     if is_hidden {

@@ -88,7 +88,7 @@ impl Config {
                 let is_alone = args.scene.frame.is_none() && animation.is_none();
                 // One frame rendered again replaces the file of the same frame of the animation.
                 let digits = animation.as_ref().map_or(1, |animation| animation.digits);
-                let is_exact = exact_name && !target.has_pattern() || is_alone;
+                let is_exact = exact_name && !target.has_number_pattern() || is_alone;
                 (Pictures::One(timing), if is_exact { target } else { target.numbered(timing.frame, digits) })
             }
         };
@@ -115,7 +115,7 @@ impl Config {
             resume: args.resume || shard.is_some(),
             keep_after: Duration::from_secs_f64(args.keep_after.0),
             max_time: args.scene.time_limit(),
-            max_memory: args.scene.memory_limit(),
+            max_memory: args.scene.memory_limit_if_set(),
             progress: args.progress.unwrap_or(ProgressDisplay::Auto),
             stats: args.stats,
             load_radiosity: args.load_radiosity,
@@ -154,7 +154,8 @@ impl Config {
     }
 }
 
-/// Returns the shard that `--shard` states or that a scheduler assigned.
+/// Returns the shard that `--shard` states or that a scheduler assigned; `None` without `--shard`. With a shard, the
+/// process will end with [`exit::Exit::TryAgain`] after the signal TERM.
 fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Resolved>> {
     let Some(choice) = args.shard else { return Ok(None) };
     if target.file().is_none() {
@@ -170,10 +171,11 @@ fn environment_variable(name: &str) -> Option<String> {
     std::env::var(name).ok()
 }
 
-/// Returns the animation that `--frames` and the INI file describe.
-fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Option<Animation>> {
-    Ok(match (args.frames, animation) {
-        (Some(frames), Some(animation)) if !animation.has(frames.first) || !animation.has(frames.last) => {
+/// Returns the animation that `--frames` and the INI file describe; `None` for a single picture. An error if `--frames`
+/// asks for frames that the INI file's animation does not have.
+fn animation_of(args: &RenderArgs, ini_animation: Option<Animation>) -> Result<Option<Animation>> {
+    Ok(match (args.frames, ini_animation) {
+        (Some(frames), Some(animation)) if !animation.has_frame(frames.first) || !animation.has_frame(frames.last) => {
             let (first, last) = (animation.first, animation.end);
             return usage_error(format!(
                 "`--frames` asks for frames that do not exist: the animation goes from {first} to {last}"
@@ -209,12 +211,12 @@ fn target_within_memory_limits(input: &std::path::Path, args: &RenderArgs) -> Re
     if args.dump.is_none() {
         memory::check_pixel_count(args.scene.size())?;
         if args.scene.is_untrusted() {
-            memory::check_pixels(args.scene.size(), MAX_UNTRUSTED_PIXELS)?;
+            memory::check_pixel_limit(args.scene.size(), MAX_UNTRUSTED_PIXELS)?;
         }
     }
     let target = Target::new(input, args)?;
     if args.dump.is_none() {
-        let limit = args.scene.memory_limit().map(|bytes| bytes.0);
+        let limit = args.scene.memory_limit_if_set().map(|bytes| bytes.0);
         memory::check_memory(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes_per_pixel(), limit)?;
     }
     Ok(target)

@@ -8,7 +8,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Writes the files `read` as dependencies of the pictures: as JSON if the name of the output file ends in `.json`,
-/// else as a rule for make.
+/// else as a rule for make. The output file `-` is standard output.
 pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFiles) -> Result<()> {
     let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(without_dot_slash).collect();
     files.sort();

@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Rendering of one picture: from the scene's text to the picture file.
+/// Rendering of the pictures of one scene: from the scene's text to the picture files.
 pub struct Job<'a> {
     console: &'a Console,
     sources: &'a Sources,
@@ -45,7 +45,7 @@ pub struct Job<'a> {
     file: FileId,
     /// Results of the command's scenes so far.
     done: &'a mut Done,
-    /// Pictures of this scene that were written.
+    /// Pictures of this scene that were written, now or by an earlier run.
     written: Vec<PathBuf>,
     start: Instant,
     /// Warnings of earlier frames, which are not repeated.
@@ -64,7 +64,7 @@ struct Rendered {
 }
 
 impl<'a> Job<'a> {
-    /// Creates the rendering of one scene after reading the scene's text.
+    /// Creates the rendering of one scene: reads the scene's text, and prints the note about the shard.
     pub fn new(
         console: &'a Console,
         sources: &'a Sources,
@@ -96,16 +96,17 @@ impl<'a> Job<'a> {
                 for (frame, shard) in frames_and_shares(animation.frames_to_render().collect(), config.shard) {
                     let target = config.target.numbered(frame, animation.digits);
                     let target = shard.map(|shard| target.of_shard(shard)).unwrap_or(target);
-                    self.render_frame(finished.as_ref(), &target, animation.timing(frame))?;
+                    self.render_unless_finished(finished.as_ref(), &target, animation.timing(frame))?;
                 }
                 // Other processes may still render their frames.
-                finished.iter().filter(|_| config.shard.is_none()).for_each(FinishedFrames::remove);
+                finished.iter().filter(|_| config.shard.is_none()).for_each(FinishedFrames::delete_journal);
                 Ok(Exit::Fine)
             }
         }
     }
 
-    /// Returns the names of the written files, and the time that they took.
+    /// Returns the names of the first and the last written file, and the seconds since the job was created; empty if no file
+    /// was written.
     pub fn summary(&self) -> String {
         let time = format!("({:.1} s)", self.start.elapsed().as_secs_f64());
         match &self.written[..] {
@@ -131,8 +132,8 @@ impl<'a> Job<'a> {
         built
     }
 
-    /// Reports advice about a picture, unless it was reported for an earlier frame.
-    fn advise(&mut self, mut advice: Vec<Diagnostic>) {
+    /// Reports advice about a picture, unless it was reported for an earlier frame or the console is quiet.
+    fn report_new_advice(&mut self, mut advice: Vec<Diagnostic>) {
         if self.console.quiet {
             return;
         }
@@ -155,9 +156,10 @@ impl<'a> Job<'a> {
         if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
 
-    /// Locks the journal of a picture; `None` unless the picture goes to a regular file. A run that its caller can
-    /// cancel has no journal, because the caller starts the next run of the picture while the cancelled one still ends.
-    fn lock(&self, target: &Target) -> Result<Option<Arc<Journal>>> {
+    /// Locks the journal of a picture; `None` unless the picture goes to a regular file, and with `--dump`. A run that its
+    /// caller can cancel has no journal, because the caller starts the next run of the picture while the cancelled one still
+    /// ends.
+    fn lock_journal(&self, target: &Target) -> Result<Option<Arc<Journal>>> {
         let file = target.file().filter(|_| self.config.dump.is_none() && self.config.cancel.is_none());
         let picture = file.filter(|path| path.is_file() || !path.exists());
         let journal = picture.map(journal::lock).transpose()?;
@@ -189,14 +191,14 @@ impl<'a> Job<'a> {
         Header { identity, layout: Layout::new(&drawing, shard.count), encoding: target.encoding(), shard }
     }
 
-    /// True if the target is a shard that an earlier run has finished.
+    /// True if the target is a shard that an earlier run has finished, with the same picture, options and files.
     fn has_finished_shard(&self, target: &Target, timing: Timing) -> bool {
         let (Some(shard), Some(path)) = (target.shard(), target.file()) else { return false };
         ShardFile::open(path).is_ok_and(|file| file.header == self.shard_header(target, shard, timing))
     }
 
     /// Renders a frame of an animation, unless the frame is already finished.
-    fn render_frame(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
+    fn render_unless_finished(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
         let (Some(finished), Some(picture)) = (finished, target.file()) else {
             return self.render(target, timing, None);
         };
@@ -236,7 +238,7 @@ impl<'a> Job<'a> {
         let (time, encode) = (start.elapsed(), Instant::now());
         let Written { is_black, time: rows_time } = written;
         // The journal is deleted afterwards.
-        if let (Some(draft), true) = (&mut draft, monitor.journal.as_ref().is_some_and(|journal| journal.is_written()))
+        if let (Some(draft), true) = (&mut draft, monitor.journal.as_ref().is_some_and(|journal| journal.has_header()))
         {
             draft.make_durable();
         }
@@ -286,7 +288,7 @@ impl<'a> Job<'a> {
             StatusTask::register(move || print_message(&partial.write_and_describe()))
         });
         let rendered = self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
-            journal.and_then(|journal| journal::close_with_note(journal)).iter().for_each(|note| console.info(note));
+            journal.and_then(|journal| journal::flush_and_describe(journal)).iter().for_each(|note| console.info(note));
             match (interrupt::received_end_signal(), failure) {
                 // The signal that a file has reached its size limit is also an error of writing.
                 (Some(signal), fault @ Failure::Fault(_)) => {
@@ -311,7 +313,7 @@ impl<'a> Job<'a> {
         if let (Some(finished), Some(picture)) = (finished, target.file()) {
             let mut work = self.picture_work_identity(timing);
             work.options += &target.encoding_options();
-            finished.add(timing.frame, picture, Begun::new(work), journal.is_some_and(Journal::is_written));
+            finished.add(timing.frame, picture, Begun::new(work), journal.is_some_and(Journal::has_header));
         }
         if let Some(journal) = journal {
             journal::failure_note(journal).iter().for_each(|note| self.console.info(note));
@@ -319,14 +321,15 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Renders one picture, from the scene's text to the picture file.
+    /// Renders one picture, from the scene's text to the picture file. With `--dump`, prints a stage in place of rendering. A
+    /// finished shard is not rendered again.
     fn render(&mut self, target: &Target, timing: Timing, finished: Option<&FinishedFrames>) -> Result {
         let (console, config, start) = (self.console, self.config, Instant::now());
         if config.dump.is_none() {
             target.check_file_writable()?;
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
-        let journal = self.lock(target)?;
+        let journal = self.lock_journal(target)?;
         let _cleanup = journal.clone().map(|journal| Cleanup::register(early_exit_handler(journal, console.quiet)));
         let (token, overrun) = match &config.cancel {
             Some(token) => (token.clone(), Overrun::Continues),
@@ -344,30 +347,30 @@ impl<'a> Job<'a> {
         }
         let mut world = session::report_and_take_world(console, self.sources, &mut built)?;
         let warnings = light_files::apply_radiosity_file_options(&mut world, config, self.sources);
-        self.advise(warnings);
+        self.report_new_advice(warnings);
         if let Some(path) = config.prepared.as_ref().filter(|_| config.dump.is_none()) {
             light_files::use_prepared_light(&mut world, path, &config.drawing(timing))?;
         }
         match config.dump {
-            Some(Dump::Scene) => return self.dump(&built.scene),
-            Some(Dump::World) => return self.dump(&world),
+            Some(Dump::Scene) => return self.print_as_json(&built.scene),
+            Some(Dump::World) => return self.print_as_json(&world),
             None => {}
         }
         if self.has_finished_shard(target, timing) {
             self.written.extend(target.file().map(Path::to_path_buf));
             return Ok(Exit::Fine);
         }
-        self.advise(advice::time_warnings(&world, &config.drawing(timing)));
+        self.report_new_advice(advice::time_warnings(&world, &config.drawing(timing)));
         let deferred = DeferredSignals::begin();
         let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
             self.render_world_to_target(target, &mut world, timing, journal.as_ref(), token)?;
-        self.advise(warnings);
+        self.report_new_advice(warnings);
         self.record_picture_as_finished(target, timing, journal.as_deref(), finished);
         drop(deferred);
 
         let drawing = config.drawing(timing);
         if !console.quiet {
-            self.advise(advice::picture_warnings(&world, &drawing, config.circumstances(is_black)));
+            self.report_new_advice(advice::picture_warnings(&world, &drawing, config.circumstances(is_black)));
         }
         let times = [built.parse_time + built.build_time, trace_time];
         console.print_povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));
@@ -384,7 +387,7 @@ impl<'a> Job<'a> {
         interrupt::received_end_signal().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
     }
 
-    fn dump(&self, stage: &impl serde::Serialize) -> Result {
+    fn print_as_json(&self, stage: &impl serde::Serialize) -> Result {
         self.console.write_to_stdout(super::dump::to_json(self.sources, stage)).map(|()| Exit::Fine)
     }
 }
@@ -393,15 +396,15 @@ impl<'a> Job<'a> {
 /// an empty journal file.
 fn early_exit_handler(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
     move || {
-        if let Some(note) = journal::close_with_note(&journal).filter(|_| !quiet) {
+        if let Some(note) = journal::flush_and_describe(&journal).filter(|_| !quiet) {
             print_message(&note);
         }
         journal.remove_if_empty();
     }
 }
 
-/// Returns the frames that a shard renders, each with the share of the picture: whole frames, or shares of one frame if
-/// there are fewer frames than shards.
+/// Returns the frames that a shard renders, each with the share of the picture (`None` for the whole picture): whole
+/// frames, or a share of one frame if there are fewer frames than shards. Without a shard, returns all frames.
 fn frames_and_shares(frames: Vec<u32>, shard: Option<Shard>) -> Vec<(u32, Option<Shard>)> {
     let Some(Shard { index, count }) = shard else {
         return frames.into_iter().map(|frame| (frame, None)).collect();

@@ -202,8 +202,8 @@ impl LightSaver {
     }
 }
 
-/// Saves photons or radiosity samples to a file that the command line names. An existing file is replaced only if it
-/// contains such saved light.
+/// Saves photons or radiosity samples to a file that the command line names. An existing file is replaced only if it is
+/// empty or contains such saved light.
 fn save_to_user_path(path: &Path, kind: LightKind, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
     let save = || {
         if Disk.exists(path) && !is_light_file_or_empty(&Disk.read(path)?) {

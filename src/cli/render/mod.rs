@@ -52,7 +52,8 @@ struct Done {
     files: LookedUpFiles,
 }
 
-/// Renders each scene: one picture, or one per frame. Also returns the files that were looked up, even on failure.
+/// Renders each scene: one picture, or one per frame. Writes the file of `--deps`, and also returns the files that were
+/// looked up, even on failure.
 pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, LookedUpFiles) {
     let files = LookedUpFiles { read: context.ini_files.clone(), ..LookedUpFiles::default() };
     let mut done = Done { files, ..Done::default() };

@@ -119,7 +119,8 @@ impl Monitor<'_> {
         Ok(frame)
     }
 
-    /// Returns the reason why the picture was not finished.
+    /// Returns the failure of a picture that was not finished, and acknowledges the cancellation. If a signal ended the
+    /// rendering, prints so.
     fn stop_failure(&self) -> Failure {
         interrupt::acknowledge_cancellation();
         if let Some(signal) = interrupt::received_end_signal() {

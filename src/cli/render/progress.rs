@@ -141,7 +141,7 @@ impl Progress {
                 let mut printed = printed.lock().unwrap_or_else(PoisonError::into_inner);
                 if percent > *printed {
                     *printed = percent;
-                    print_message(&client_lines::progress(
+                    print_message(&client_lines::progress_line(
                         n_pixels_to_render * done / total.max(1),
                         *n_pixels_to_render,
                     ));

@@ -40,7 +40,8 @@ struct Times {
 }
 
 impl Report {
-    /// Creates a report. The durations are those of parsing, building, tracing and encoding, and their sum.
+    /// Creates a report. The durations are those of parsing, building, tracing and encoding, and of the whole work, which is
+    /// more than their sum.
     pub fn new(
         parse_build_trace_encode_total: [Duration; 5],
         passes: Vec<PassTime>,

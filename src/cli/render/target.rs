@@ -85,7 +85,8 @@ impl Target {
         Self { location: Location::File(path.to_path_buf()), encoding, shard: None }
     }
 
-    /// Returns the destination of a shard of this picture: a file beside the picture.
+    /// Returns the destination of a shard of this picture: a file beside the picture. A destination that is not a file stays
+    /// as it is.
     pub fn of_shard(&self, shard: Shard) -> Self {
         let Location::File(path) = &self.location else { return self.clone() };
         Self { location: Location::File(shard::path_beside(path, shard)), shard: Some(shard), ..self.clone() }
@@ -106,7 +107,8 @@ impl Target {
         self.location == Location::Stdout
     }
 
-    /// Returns the picture's file, if the picture goes to one.
+    /// Returns the file that is written, which is the shard's own file for a shard; `None` for standard output and for no
+    /// output.
     pub fn file(&self) -> Option<&Path> {
         match &self.location {
             Location::File(path) => Some(path),
@@ -126,14 +128,15 @@ impl Target {
     }
 
     /// True if the file's name contains a pattern such as `%03d` for the frame's number.
-    pub fn has_pattern(&self) -> bool {
+    pub fn has_number_pattern(&self) -> bool {
         self.file()
             .and_then(Path::file_name)
             .is_some_and(|name| number_placeholder_and_width(&name.to_string_lossy()).is_some())
     }
 
     /// Returns the destination of one frame. `%03d` in the name is replaced by the frame number with at least three
-    /// digits. Without a pattern, the number with `default_digits` digits precedes the extension.
+    /// digits. Without a pattern, the number with at least `default_digits` digits precedes the extension. Standard output
+    /// stays as it is.
     pub fn numbered(&self, frame: u32, default_digits: usize) -> Self {
         let Location::File(path) = &self.location else {
             return self.clone();
@@ -165,7 +168,7 @@ impl Target {
         }
     }
 
-    /// Starts the picture's file; `None` if the picture has no destination.
+    /// Starts the picture's file, in memory for standard output; `None` if the picture has no destination.
     pub fn start_draft(&self) -> Result<Option<Draft>> {
         Ok(match &self.location {
             Location::Nowhere => None,
@@ -174,7 +177,8 @@ impl Target {
         })
     }
 
-    /// Creates the writer of a picture of `width` by `height` pixels into a draft.
+    /// Creates the writer of a picture of `size`, width by height in pixels, into a draft. Without a draft, the rows are
+    /// discarded.
     pub fn writer<'d>(&'d self, draft: Option<&'d mut Draft>, size: (usize, usize)) -> Result<PictureWriter<'d>> {
         let path = self.file().unwrap_or(Path::new("standard output"));
         let unwritable = |e: &std::io::Error| file::unwritable(&Disk, path, e);
@@ -187,7 +191,8 @@ impl Target {
         Ok(ShardWriter::new(draft, header, |e: &std::io::Error| file::unwritable(&Disk, path, e))?)
     }
 
-    /// Gives the finished file its name, and returns its path.
+    /// Gives the finished file its name, and returns its path. A picture for standard output is printed now, and `None` is
+    /// returned.
     pub fn commit(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
         match (&self.location, draft) {
             (Location::Stdout, Some(draft)) => console.write_to_stdout(draft.into_memory_bytes()).map(|()| None),
@@ -210,7 +215,8 @@ impl Target {
     }
 }
 
-/// Refuses to replace a regular file that is neither a picture nor empty.
+/// Refuses to replace a regular file that is neither a picture, nor a shard, nor empty. A file that cannot be read is
+/// accepted, because writing will fail.
 fn check_replaces_only_picture(path: &Path) -> Result<()> {
     let mut start = Vec::with_capacity(image_io::SIGNATURE_BYTES);
     let is_regular = path.metadata().is_ok_and(|metadata| metadata.is_file());
@@ -231,7 +237,7 @@ fn encoding(args: &RenderArgs, format: Format, bits_per_channel: Option<u8>) -> 
         format,
         depth: bits_per_channel.unwrap_or(plain.depth),
         gray: args.gray,
-        alpha: keeps_alpha(&args.look, args),
+        alpha: may_be_transparent(&args.look, args),
         gamma: args.file_gamma.map_or(plain.gamma, |gamma| gamma.0),
         dither: args.dither.map(|method| match method {
             DitherMethod::B2 => Dither::Bayer(2),
@@ -249,8 +255,9 @@ fn encoding(args: &RenderArgs, format: Format, bits_per_channel: Option<u8>) -> 
     }
 }
 
-/// True if the picture has transparent pixels. Pixels outside of `--region` are transparent without `--outside black`.
-fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
+/// True if the picture may have transparent pixels: with `--alpha`, and outside of `--region` without `--outside black`. The
+/// format need not be able to hold them.
+fn may_be_transparent(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some() && args.outside != Some(Outside::Black)
 }
 
@@ -258,7 +265,7 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
     a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 
-/// Finds `%d` or `%03d` in a name, as in C and ffmpeg; returns its byte range and the number of digits.
+/// Finds `%d` or `%03d` in a name, as in C and ffmpeg; returns its byte range and the minimum number of digits, at most 20.
 fn number_placeholder_and_width(name: &str) -> Option<(Range<usize>, usize)> {
     name.match_indices('%').find_map(|(at, _)| {
         let digits = name[at + 1..].bytes().take_while(u8::is_ascii_digit).count();
@@ -268,12 +275,12 @@ fn number_placeholder_and_width(name: &str) -> Option<(Range<usize>, usize)> {
     })
 }
 
-/// True if the path is a folder, existing or not.
+/// True if the path is an existing folder, or ends with a separator.
 pub fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with(std::path::is_separator)
 }
 
-/// Returns the default output file: the name of `input` without its folder, with the extension of `format`.
+/// Returns the default output file: the name of `input` without its folder, with the extension of `format` (`None`: png).
 fn default_name(input: &Path, format: Option<Format>) -> PathBuf {
     let stem =
         if input == Path::new("-") { Path::new("stdin").as_os_str() } else { input.file_stem().unwrap_or_default() };

@@ -58,7 +58,8 @@ pub(super) fn unusable(path: &Path, reason: &str) -> Failure {
     Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNREADABLE, Span::NONE, text)))
 }
 
-/// Finds the shards of a picture in the picture's folder.
+/// Finds the shards of a picture in the picture's folder, in the order of their numbers. An error if there are none, or if
+/// they are of different numbers of shards.
 fn shards_beside(picture: &Path) -> Result<Vec<PathBuf>> {
     let folder = picture.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     let name = picture.file_name().unwrap_or_default().to_string_lossy();
@@ -85,7 +86,8 @@ fn shards_beside(picture: &Path) -> Result<Vec<PathBuf>> {
     }
 }
 
-/// Opens all shards, and checks that they are of one picture and that none is missing.
+/// Opens all shards, checks that they are of one picture and that none is missing, and returns them by their numbers,
+/// which begin at 1.
 fn checked_shards(paths: &[PathBuf]) -> Result<BTreeMap<usize, ShardFile>> {
     let mut shards: BTreeMap<usize, ShardFile> = BTreeMap::new();
     for path in paths {
@@ -157,7 +159,7 @@ fn copy_block(band: &mut [[f32; 4]], width: usize, top: usize, block: Region, sh
         let text = format!("a shard can't be read any more: {reason}");
         Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNREADABLE, Span::NONE, text)))
     };
-    let pixels = shard.block(block).map_err(unreadable)?.ok_or_else(|| unreadable("it has changed".into()))?;
+    let pixels = shard.read_block(block).map_err(unreadable)?.ok_or_else(|| unreadable("it has changed".into()))?;
     for (row, pixels) in (block.y - top..).zip(pixels.chunks(block.width)) {
         let start = row * width + block.x;
         band[start..start + block.width].copy_from_slice(pixels);

@@ -53,14 +53,14 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Returns the layout of a picture in `count` shards.
-    pub fn new(options: &render::Options, count: usize) -> Self {
+    /// Returns the layout of a picture in `n_shards` shards.
+    pub fn new(options: &render::Options, n_shards: usize) -> Self {
         Self {
             width: options.width,
             height: options.height,
             region: options.rendered_region(),
             outside_alpha: options.outside_alpha,
-            edge: render::block_edge(options, count),
+            edge: render::block_edge(options, n_shards),
         }
     }
 
@@ -77,9 +77,10 @@ pub fn path_beside(picture: &Path, shard: Shard) -> PathBuf {
     name.into()
 }
 
-/// Returns the number in the name of a picture's shard; `None` for the name of another file.
-pub fn shard_of_name(name: &str, picture: &str) -> Option<Shard> {
-    let (index, count) = name.strip_prefix(picture)?.strip_prefix(".shard-")?.split_once("-of-")?;
+/// Returns the shard (its number and the number of all) that the file name of a picture's shard states; `None` for the
+/// name of another file. `picture_name` is the picture's file name.
+pub fn shard_of_name(name: &str, picture_name: &str) -> Option<Shard> {
+    let (index, count) = name.strip_prefix(picture_name)?.strip_prefix(".shard-")?.split_once("-of-")?;
     let (index, count) = (index.parse().ok()?, count.parse().ok()?);
     (1..=count).contains(&index).then_some(Shard { index, count })
 }

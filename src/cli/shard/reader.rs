@@ -38,7 +38,7 @@ impl ShardFile {
         let (key, mut end) = (Key::of(&start), start.len() as u64);
         let mut offsets = HashMap::new();
         for block in header.layout.blocks(header.shard) {
-            let record = key.read(&mut reader, end)?.ok_or("it is not complete")?;
+            let record = key.read_record(&mut reader, end)?.ok_or("it is not complete")?;
             if record.tile().is_none_or(|tile| tile.area != block) {
                 return Err(damaged_reason());
             }
@@ -53,7 +53,7 @@ impl ShardFile {
     ///
     /// # Errors
     /// The reason why the file cannot be read.
-    pub fn block(&self, area: Region) -> Result<Option<Vec<[f32; 4]>>, String> {
+    pub fn read_block(&self, area: Region) -> Result<Option<Vec<[f32; 4]>>, String> {
         let Some(&offset) = self.offsets.get(&[area.x, area.y]) else { return Ok(None) };
         let mut bytes = vec![0; area.width * area.height * size_of::<[f32; 4]>()];
         let mut file = &self.file;

@@ -55,8 +55,9 @@ impl Hashes {
         Ok(hashes)
     }
 
-    /// Compares a scene's picture with the hash in the file. If `accept`, the picture's hash replaces that of the file.
-    pub fn check(&mut self, scene: &Path, picture: &Frame, accept: bool) -> HashResult {
+    /// Compares a scene's picture with the hash of the file, and returns the result. If `accept`, the picture's hash then
+    /// replaces the known one, until [`Self::write`] writes the file.
+    pub fn compare_and_update(&mut self, scene: &Path, picture: &Frame, accept: bool) -> HashResult {
         let (name, hash) = (self.name_of(scene), hash_of(picture));
         let result = match self.known.get(&name) {
             Some(known) if *known == hash => HashResult::Same,
@@ -120,16 +121,16 @@ mod tests {
         let scene = folder.path().join("a/b.scene");
         let mut picture = Frame::new(2, 3);
         let mut hashes = Hashes::read(&file, false).unwrap();
-        assert_eq!(hashes.check(&scene, &picture, true), HashResult::Missing);
+        assert_eq!(hashes.compare_and_update(&scene, &picture, true), HashResult::Missing);
         hashes.write().unwrap();
         let text = std::fs::read_to_string(&file).unwrap();
         assert!(text.starts_with("# Pictures of the gallery.\n") && text.ends_with("  a/b.scene\n"), "{text}");
 
         let mut hashes = Hashes::read(&file, false).unwrap();
-        assert_eq!(hashes.check(&scene, &picture, false), HashResult::Same);
+        assert_eq!(hashes.compare_and_update(&scene, &picture, false), HashResult::Same);
         picture.pixels[4][2] = f32::from_bits(1);
-        assert_eq!(hashes.check(&scene, &picture, false), HashResult::Differs);
-        assert_eq!(hashes.check(&scene, &Frame::new(3, 2), false), HashResult::Differs);
+        assert_eq!(hashes.compare_and_update(&scene, &picture, false), HashResult::Differs);
+        assert_eq!(hashes.compare_and_update(&scene, &Frame::new(3, 2), false), HashResult::Differs);
     }
 
     #[test]

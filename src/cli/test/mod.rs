@@ -87,7 +87,7 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
             accept(&case, &mut outcome)?;
         }
         if let Some(hashes) = &mut hashes {
-            compare_hash(hashes, &case, args.accept, &mut outcome);
+            record_hash_comparison(hashes, &case, args.accept, &mut outcome);
         }
         let accept = accept_command(args, &case, &outcome);
         match args.format {
@@ -164,7 +164,7 @@ fn render_and_compare(
     memory::check_memory(header.scene.size(), None, bytes_per_pixel, header.scene.max_memory.map(|b| b.0))?;
 
     let timing = session::timing(&header.scene, None)?;
-    session::enforce_memory_limit(header.scene.memory_limit());
+    session::enforce_memory_limit(header.scene.memory_limit_if_set());
     let deadline = Deadline::start(header.scene.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let options = session::reading_options(&header.scene, &case.scene, timing);
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
@@ -179,11 +179,11 @@ fn render_and_compare(
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
     let _deferred = DeferredSignals::begin();
     let frame = Monitor::new(Progress::Silent, deadline.token().clone()).render(&world, &drawing)?;
-    compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
+    record_comparison(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
 }
 
-fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
+fn record_comparison(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
     if let Some(expected) = expected.map(Pixels::to_linear_image) {
         let comparison = snapshot::compare(&expected, &rendered, Tolerance::default());
         if comparison.verdict == Verdict::Differs {
@@ -201,10 +201,11 @@ fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
     outcome.rendered = Some(rendered);
 }
 
-/// Compares the bits of the rendered picture with those of its hash.
-fn compare_hash(hashes: &mut Hashes, case: &Case, accept: bool, outcome: &mut Outcome) {
+/// Compares the hash of the rendered picture's bits with the known hash, and adds the result to the outcome. With `accept`,
+/// a different or missing hash is replaced.
+fn record_hash_comparison(hashes: &mut Hashes, case: &Case, accept: bool, outcome: &mut Outcome) {
     let Some(rendered) = &outcome.rendered else { return };
-    let text = match hashes.check(&case.scene, rendered, accept) {
+    let text = match hashes.compare_and_update(&case.scene, rendered, accept) {
         HashResult::Same => return,
         HashResult::Differs if accept => "accepted: another hash",
         HashResult::Missing if accept => "accepted: a new hash",
@@ -240,7 +241,8 @@ fn result_word(outcome: &Outcome) -> ResultWord {
     }
 }
 
-/// Returns the command that accepts the rendered picture as the snapshot; `None` if the pictures do not differ.
+/// Returns the command that accepts the rendered picture as the snapshot; `None` if the test passed, or if no picture was
+/// rendered.
 fn accept_command(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
     let differs = outcome.exit == Exit::Snapshot && outcome.rendered.is_some();
     let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);

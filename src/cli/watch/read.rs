@@ -40,6 +40,7 @@ pub struct Read {
     pub log: String,
     pub failed: bool,
     pub size: Option<Size>,
+    /// Present, first and last value of `clock`.
     pub clock: [f64; 3],
     /// Files that were looked up for the watched scene.
     pub files: LookedUpFiles,

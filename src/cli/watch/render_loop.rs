@@ -232,7 +232,7 @@ impl preview::Backend for RenderLoop {
     }
 
     fn save(&self) -> std::result::Result<String, String> {
-        let image = self.screen.finished().ok_or("the picture is not finished yet")?;
+        let image = self.screen.finished_picture().ok_or("the picture is not finished yet")?;
         let displayed = self.displayed.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some((scene, _)) = displayed else { return Err("there is no picture yet".into()) };
         let size = (image.width, image.height);

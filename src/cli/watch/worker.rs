@@ -28,7 +28,8 @@ impl<T> Default for Worker<T> {
 }
 
 impl<T: Send + 'static> Worker<T> {
-    /// Returns the result of `work`; `None` if `cancel` was cancelled on request, or the work has panicked.
+    /// Runs `work` on a new thread, and returns its result; `None` if `cancel` was cancelled on request, the work has
+    /// panicked, or no thread could be started.
     pub fn run(&mut self, cancel: &CancelToken, work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
         self.limit_abandoned_threads();
         let (sender, result) = channel();

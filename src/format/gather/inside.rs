@@ -8,11 +8,11 @@ use crate::syntax::ast::*;
 use crate::syntax::word;
 
 impl Gatherer<'_> {
-    pub(super) fn directive(&mut self, directive: &Directive, span: Span) -> ItemKind {
+    pub(super) fn gather_directive(&mut self, directive: &Directive, span: Span) -> ItemKind {
         match directive {
             Directive::Declare(declare) => {
-                self.target(&declare.target);
-                declare.others.iter().for_each(|target| self.target(target));
+                self.gather_target(&declare.target);
+                declare.others.iter().for_each(|target| self.gather_target(target));
                 return ItemKind::Declare;
             }
             Directive::DeclarePieces(_) | Directive::Plain(_) => return ItemKind::Plain,
@@ -27,20 +27,20 @@ impl Gatherer<'_> {
                         Condition::True(head) | Condition::Declared(head) | Condition::NotDeclared(head) => Some(head),
                         Condition::Always => None,
                     };
-                    self.arm(&mut arms, branch.span, head, &branch.body, false);
+                    self.gather_arm(&mut arms, branch.span, head, &branch.body, false);
                 }
             }
-            Directive::While(head, body) => self.arm(&mut arms, span, Some(head), body, false),
+            Directive::While(head, body) => self.gather_arm(&mut arms, span, Some(head), body, false),
             Directive::For(one) => {
-                self.head_of_for(&one.head);
+                self.gather_for_head(&one.head);
                 self.gather_rest_of_arm(&mut arms, start, &one.body, span, false);
             }
             Directive::Switch(head, all) => {
                 let first = all.first().map_or(span.end(), |arm| arm.span);
-                self.arm(&mut arms, Span { hi: first.lo, ..span }, Some(head), &[], false);
+                self.gather_arm(&mut arms, Span { hi: first.lo, ..span }, Some(head), &[], false);
                 for one in all {
                     let head = if let When::Case(head) = &one.when { Some(head) } else { None };
-                    self.arm(&mut arms, one.span, head, &one.body, true);
+                    self.gather_arm(&mut arms, one.span, head, &one.body, true);
                 }
             }
             Directive::Macro(one) => {
@@ -54,7 +54,8 @@ impl Gatherer<'_> {
         ItemKind::Bodies
     }
 
-    /// Adds a directive's arms to the list of atoms; the closing `#end` is in no arm.
+    /// Adds the rest of a directive with bodies, except its last token, and links its first atom `start` to its arms; the
+    /// closing `#end` is in no arm.
     fn finish_arms(&mut self, start: usize, mut arms: Vec<Arm>, span: Span) {
         // Everything before it is in the last arm.
         while let Some(piece) = self.pieces.next
@@ -70,33 +71,41 @@ impl Gatherer<'_> {
         self.out.arms.push(arms);
     }
 
-    fn target(&mut self, target: &Target) {
+    fn gather_target(&mut self, target: &Target) {
         self.gather_through(target.span);
-        self.indices(&target.indices);
+        self.gather_indices(&target.indices);
     }
 
-    fn arm(&mut self, arms: &mut Vec<Arm>, span: Span, head: Option<&Head>, body: &[Element], is_switch_arm: bool) {
+    fn gather_arm(
+        &mut self,
+        arms: &mut Vec<Arm>,
+        span: Span,
+        head: Option<&Head>,
+        body: &[Element],
+        is_switch_arm: bool,
+    ) {
         self.gather_before(span);
         let start = self.len();
         self.gather_token();
         match head {
-            Some(Head::Whole(e)) => self.expr(e),
+            Some(Head::Whole(e)) => self.gather_expr(e),
             Some(Head::Pieces(Some(elements))) => self.gather_arguments(elements),
             _ => {}
         }
         self.gather_rest_of_arm(arms, start, body, span, is_switch_arm);
     }
 
-    fn head_of_for(&mut self, head: &ForHead) {
+    fn gather_for_head(&mut self, head: &ForHead) {
         self.gather_token();
         match head {
-            ForHead::Whole(_, parts) => parts.iter().for_each(|e| self.expr(e)),
+            ForHead::Whole(_, parts) => parts.iter().for_each(|e| self.gather_expr(e)),
             ForHead::Pieces(Some(elements)) => self.gather_arguments(elements),
             ForHead::Pieces(None) => {}
         }
     }
 
-    /// Adds the atoms of the rest of a directive's parentheses, and of its body.
+    /// Adds the atoms of the rest of a directive's parentheses, and of its body, and appends the arm to `arms`. `start` is the
+    /// first atom of the arm.
     fn gather_rest_of_arm(
         &mut self,
         arms: &mut Vec<Arm>,
@@ -138,7 +147,7 @@ impl Gatherer<'_> {
         }
         self.pending = 0;
         let (head, at) = (start as u32, self.len() as u32);
-        self.body(body);
+        self.gather_body(body);
         arms.push(Arm { head, body: at, end: at, is_switch_arm });
     }
 
@@ -149,7 +158,7 @@ impl Gatherer<'_> {
         for e in elements {
             self.gather_before(e.span);
             match &e.kind {
-                ElementKind::Expr(expr) => self.expr(expr),
+                ElementKind::Expr(expr) => self.gather_expr(expr),
                 ElementKind::Block(block) => self.gather_arguments(&block.body),
                 ElementKind::Group(group) | ElementKind::Entry(group) => self.gather_arguments(&group.body),
                 ElementKind::Function(function) => self.gather_arguments(&function.body),
@@ -159,23 +168,23 @@ impl Gatherer<'_> {
         }
     }
 
-    fn indices(&mut self, indices: &[Expr]) {
+    fn gather_indices(&mut self, indices: &[Expr]) {
         for index in indices {
             self.pending |= NO_BLANK_BEFORE;
-            self.expr(index);
+            self.gather_expr(index);
             self.gather_through(index.span);
             self.gather_token();
         }
         self.pending = 0;
     }
 
-    fn operand(&mut self, e: &Expr) {
-        self.expr(e);
+    fn gather_operand(&mut self, e: &Expr) {
+        self.gather_expr(e);
         self.gather_through(e.span);
         self.pending |= OPERATOR;
     }
 
-    fn vector(&mut self, span: Span, parts: &[Element]) {
+    fn gather_vector(&mut self, span: Span, parts: &[Element]) {
         self.pending |= OPEN;
         self.gather_token();
         self.gather_arguments(parts);
@@ -183,15 +192,15 @@ impl Gatherer<'_> {
         self.pending = CLOSE;
     }
 
-    pub(super) fn expr(&mut self, e: &Expr) {
+    pub(super) fn gather_expr(&mut self, e: &Expr) {
         self.gather_before(e.span);
         if self.text[self.local_offset(e.span.lo)..].starts_with(['-', '+', '!']) {
             self.pending |= NO_BLANK_AFTER;
         }
         match &e.kind {
-            ExprKind::Vector(parts) => self.vector(e.span, parts),
+            ExprKind::Vector(parts) => self.gather_vector(e.span, parts),
             // A vector of numbers with a comment between them.
-            ExprKind::Literal(_) if self.peek_token_text() == Some("<") => self.vector(e.span, &[]),
+            ExprKind::Literal(_) if self.peek_token_text() == Some("<") => self.gather_vector(e.span, &[]),
             ExprKind::Call(_, parts) => {
                 self.gather_token();
                 self.pending |= NO_BLANK_BEFORE;
@@ -200,30 +209,30 @@ impl Gatherer<'_> {
             ExprKind::Builtin(_, parts) => {
                 self.gather_token();
                 self.pending |= NO_BLANK_BEFORE;
-                parts.iter().for_each(|e| self.expr(e));
+                parts.iter().for_each(|e| self.gather_expr(e));
             }
-            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.gather_expr(inner),
             ExprKind::Chain(chain) => {
-                self.operand(&chain.first);
-                if word::durer_words_of_block(self.block).contains(&self.read(chain.first.span)) {
+                self.gather_operand(&chain.first);
+                if word::durer_words_of_block(self.block).contains(&self.text_of(chain.first.span)) {
                     // A word and its value: `point -y`.
                     self.pending = NO_BLANK_AFTER;
                 }
-                chain.rest.iter().for_each(|(_, e)| self.operand(e));
+                chain.rest.iter().for_each(|(_, e)| self.gather_operand(e));
             }
-            ExprKind::Choice(parts) => parts.iter().for_each(|e| self.operand(e)),
+            ExprKind::Choice(parts) => parts.iter().for_each(|e| self.gather_operand(e)),
             ExprKind::Index(base, indices) => {
-                self.expr(base);
+                self.gather_expr(base);
                 self.gather_through(base.span);
-                self.indices(indices);
+                self.gather_indices(indices);
             }
             ExprKind::Apply(base, arguments) => {
-                self.expr(base);
+                self.gather_expr(base);
                 self.gather_through(base.span);
                 self.pending |= NO_BLANK_BEFORE;
                 self.gather_arguments(arguments);
             }
-            ExprKind::Dot(base, ..) => self.expr(base),
+            ExprKind::Dot(base, ..) => self.gather_expr(base),
             ExprKind::Function(function) => self.gather_arguments(&function.body),
             ExprKind::Block(block) => self.gather_arguments(&block.body),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => {}

@@ -15,7 +15,7 @@ const LONG_LIST: usize = 100_000;
 pub fn gather(text: &str, base_in_sources: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::new(&ast.tokens);
     let mut gatherer = Gatherer { text, base_in_sources, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
-    gatherer.body(&ast.elements);
+    gatherer.gather_body(&ast.elements);
     gatherer.gather_up_to(text.len());
     gatherer.gather_stray_characters(text.len());
     gatherer.out
@@ -71,7 +71,7 @@ impl<'a> Gatherer<'a> {
         (global_offset as usize).saturating_sub(self.base_in_sources)
     }
 
-    fn read(&self, span: Span) -> &'a str {
+    fn text_of(&self, span: Span) -> &'a str {
         self.text.get(self.local_offset(span.lo)..self.local_offset(span.hi)).unwrap_or_default()
     }
 
@@ -209,18 +209,18 @@ impl<'a> Gatherer<'a> {
 
     // ------------------------------------------------------------ bodies
 
-    fn body(&mut self, elements: &[Element]) {
+    fn gather_body(&mut self, elements: &[Element]) {
         // End of a declaration, and the textures that follow it.
         let mut layers = vec![];
         for e in elements {
             self.gather_before(e.span);
             let start = self.len();
-            let item = self.element(e);
+            let item = self.gather_element(e);
             self.gather_through(e.span);
             self.gather_comma_after(e);
             self.mark_item(start, item);
             match &e.kind {
-                ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
+                ElementKind::Block(block) if !layers.is_empty() && self.text_of(block.name.span) == "texture" => {
                     layers.push(start)
                 }
                 _ => self.equalize_layer_line_starts(&std::mem::take(&mut layers)),
@@ -301,19 +301,19 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    fn element(&mut self, e: &Element) -> ItemKind {
+    fn gather_element(&mut self, e: &Element) -> ItemKind {
         match &e.kind {
             ElementKind::Word(_) => ItemKind::Word,
             ElementKind::Expr(expr) => {
-                self.expr(expr);
+                self.gather_expr(expr);
                 ItemKind::Value
             }
             ElementKind::Numbers(_) => ItemKind::Value,
             ElementKind::Block(block) => self.gather_bracketed(e.span, block.name.span, ItemKind::Block, &block.body),
             ElementKind::Group(group) => self.gather_bracketed(e.span, Span::NONE, ItemKind::Group, &group.body),
             ElementKind::Entry(group) => self.gather_bracketed(e.span, Span::NONE, ItemKind::Entry, &group.body),
-            ElementKind::Function(function) => self.function(function, e.span),
-            ElementKind::Directive(directive) => self.directive(directive, e.span),
+            ElementKind::Function(function) => self.gather_function(function, e.span),
+            ElementKind::Directive(directive) => self.gather_directive(directive, e.span),
             ElementKind::Semicolon | ElementKind::Comma => ItemKind::Separator,
             ElementKind::Punctuation(Punctuation::Open(_) | Punctuation::Close(_)) => {
                 self.pending |= UNMATCHED;
@@ -331,7 +331,7 @@ impl<'a> Gatherer<'a> {
             self.pending |= SAME_LINE;
         }
         self.gather_token();
-        let name = self.read(name);
+        let name = self.text_of(name);
         let outside = std::mem::replace(&mut self.block, name);
         self.gather_to_closing_bracket(start, span, body);
         self.block = outside;
@@ -341,7 +341,7 @@ impl<'a> Gatherer<'a> {
     /// Adds the contents of brackets, up to the closing one, after the opening one was added.
     fn gather_to_closing_bracket(&mut self, start: usize, span: Span, body: &[Element]) {
         let open = self.len() - 1;
-        self.body(body);
+        self.gather_body(body);
         self.gather_up_to(self.local_offset(span.hi).saturating_sub(1));
         self.pending = 0;
         self.gather_token();
@@ -352,13 +352,13 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    fn function(&mut self, function: &Function, span: Span) -> ItemKind {
+    fn gather_function(&mut self, function: &Function, span: Span) -> ItemKind {
         let start = self.len();
         self.gather_token();
         if self.peek_token_text() == Some("(") {
             self.pending |= NO_BLANK_BEFORE;
         }
-        function.size.iter().for_each(|e| self.expr(e));
+        function.size.iter().for_each(|e| self.gather_expr(e));
         while self.len() == start + 1 || self.text.as_bytes()[self.at - 1] != b'{' {
             if self.peek_token_text() == Some("{") {
                 self.pending |= SAME_LINE;

@@ -19,7 +19,7 @@ const MAX_TOKENS: usize = 100;
 pub fn actions<S: Client>(server: &mut Server<S>, params: &CodeActionParams) -> Option<CodeActionResponse> {
     let uri = &params.text_document.uri;
     let document = server.document(uri)?;
-    let known = server.run_diagnostics(uri.as_str());
+    let known = server.diagnostics_from_runs(uri.as_str());
     let mut out: CodeActionResponse = vec![];
     for diagnostic in &params.context.diagnostics {
         // Some editors do not return the data of a diagnostic.
@@ -51,7 +51,7 @@ pub fn actions<S: Client>(server: &mut Server<S>, params: &CodeActionParams) -> 
     Some(out)
 }
 
-/// Titles and edits that follow from the help of a diagnostic.
+/// Returns the titles and edits of the code actions that follow from the help of a diagnostic.
 fn remedies(document: &Document, diagnostic: &EditorDiagnostic) -> Vec<(String, Vec<TextEdit>)> {
     let mut out = vec![];
     let data = |name: &str| diagnostic.data.as_ref().and_then(|data| data.get(name)).and_then(|value| value.as_str());
@@ -151,7 +151,8 @@ fn line_ending_if_missing(document: &Document) -> &'static str {
     if document.text.as_str().ends_with(['\n', '\r']) { "" } else { line_ending(document) }
 }
 
-/// Returns the byte offset of the first line of the scene that is no comment, `#version` or `#include`.
+/// Returns the byte offset of the first line of the scene that is no comment, `#version` or `#include`; the length of a
+/// text without such a line.
 fn first_scene_line_offset(document: &Document) -> usize {
     let (text, outline) = (&document.text, &document.outline);
     let is_head = |token: &&Token| matches!(outline.directive_word(token), "version" | "include");
@@ -182,7 +183,8 @@ fn insert_missing(document: &Document, help: &str) -> Option<(String, Vec<TextEd
     ))
 }
 
-/// Inserts a missing `;` at the related position of the diagnostic.
+/// Returns the code action, as its title and edits, that inserts a missing `;` at the related position of the diagnostic;
+/// `None` for other diagnostics.
 fn insert_semicolon(diagnostic: &EditorDiagnostic) -> Option<(String, Vec<TextEdit>)> {
     let is_it = |place: &&DiagnosticRelatedInformation| place.message == MISSING_SEMICOLON;
     let place = diagnostic.related_information.iter().flatten().find(is_it)?;
@@ -190,7 +192,8 @@ fn insert_semicolon(diagnostic: &EditorDiagnostic) -> Option<(String, Vec<TextEd
     Some(("Write `;`".into(), vec![TextEdit { range: Range::new(at, at), new_text: ";".into() }]))
 }
 
-/// Adds an `#include` after the last one at the top, or after `#version`, or below the first comment.
+/// Returns the edit that adds an `#include` after the last one at the top, or after `#version`, or below the first
+/// comment, or else in the first line.
 pub fn insert_include(document: &Document, file: &str) -> TextEdit {
     let (text, outline) = (&document.text, &document.outline);
     let all = text.as_str();

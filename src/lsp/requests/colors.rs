@@ -29,14 +29,15 @@ pub fn colors<S: Client>(server: &mut Server<S>, params: &DocumentColorParams) -
         }
         let numbers = document.text.as_str()[pair[1].range.start..].strip_prefix('<')?.split_once('>')?.0;
         let end = pair[1].range.start + numbers.len() + 2;
-        Some(Found { at: pair[0].range.start..end, color: color(name, numbers)? })
+        Some(Found { at: pair[0].range.start..end, color: parse_color(name, numbers)? })
     };
     let found = outline.tokens.windows(2).filter_map(word);
     found.map(|found| ColorInformation { range: document.text.range(found.at), color: found.color }).collect()
 }
 
-/// The sRGB colour of the numbers after a word. Numbers of `rgb` are linear, as with `assumed_gamma 1`.
-fn color(word: &str, numbers: &str) -> Option<Color> {
+/// Returns the sRGB colour of the numbers after a word; `None` unless they are three to five plain numbers. Numbers of
+/// `rgb` are linear, as with `assumed_gamma 1`.
+fn parse_color(word: &str, numbers: &str) -> Option<Color> {
     let read: Result<Vec<f64>, _> = numbers.split(',').map(|number| number.trim().parse::<f64>()).collect();
     let read = read.ok().filter(|read| (3..=5).contains(&read.len()))?;
     let encoded = |x: f64| if word.starts_with('s') { x } else { srgb_encode(x.clamp(0.0, 1.0)) };
@@ -45,8 +46,12 @@ fn color(word: &str, numbers: &str) -> Option<Color> {
     Some(Color { red, green, blue, alpha: (1.0 - clear).clamp(0.0, 1.0) as f32 })
 }
 
-/// The spellings of a colour that was chosen in the picker.
-pub fn present<S: Client>(server: &mut Server<S>, params: &ColorPresentationParams) -> Vec<ColorPresentation> {
+/// Returns the spellings, `rgb` and `srgb`, of a colour that was chosen in the picker. Filter and transmit of the old text
+/// stay.
+pub fn color_presentations<S: Client>(
+    server: &mut Server<S>,
+    params: &ColorPresentationParams,
+) -> Vec<ColorPresentation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
     let bytes = document.text.offset(params.range.start)..document.text.offset(params.range.end);
     let old = document.text.as_str().get(bytes).unwrap_or_default();

@@ -36,11 +36,12 @@ impl Drop for Watches {
     }
 }
 
-/// Starts the command that the editor asks for (render, watch or explain). The editor displays its result later.
+/// Starts the command that the editor asks for (render, watch or explain). Always returns `None`: the result is sent to the
+/// editor as a message later.
 pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams) -> Option<Value> {
     let argument = params.arguments.first()?.as_str()?;
     match params.command.as_str() {
-        RENDER => render(Path::new(argument), server.events.clone()),
+        RENDER => start_render(Path::new(argument), server.events.clone()),
         WATCH => open_watch_page(server, Path::new(argument)),
         EXPLAIN => {
             let found = codes::find_explanation(argument)?;
@@ -58,7 +59,7 @@ fn show_message(typ: MessageType, message: String) -> Message {
     Message::Notification(Notification::new("window/showMessage".into(), params))
 }
 
-/// The request to open an address in a browser or another program.
+/// Returns the request to open an address in a browser or another program.
 fn show_document(uri: Uri, request_id: i32) -> Message {
     let params = ShowDocumentParams { uri, external: Some(true), take_focus: None, selection: None };
     // The response is ignored.
@@ -75,7 +76,7 @@ fn durer_command(words: &[&str], scene: &Path) -> std::io::Result<Command> {
     Ok(command)
 }
 
-fn render(scene: &Path, events: SyncSender<Event>) {
+fn start_render(scene: &Path, events: SyncSender<Event>) {
     let (scene, picture) = (scene.to_path_buf(), scene.with_extension("png"));
     let work = move || {
         let name = picture.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -30,12 +30,12 @@ pub fn complete<S: Client>(server: &mut Server<S>, params: &CompletionParams) ->
     let reached = server.reachable(uri);
     let document = server.document(uri)?;
     let offset = document.text.offset(at.position);
-    let items = items(document, &reached, offset)?;
+    let items = completions_at(document, &reached, offset)?;
     // Names that begin with other letters are missing.
     Some(CompletionResponse::List(CompletionList { is_incomplete: true, items }))
 }
 
-fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Option<Vec<CompletionItem>> {
+fn completions_at(document: &Document, reached: &[ReachableText], offset: usize) -> Option<Vec<CompletionItem>> {
     let (text, outline) = (document.text.as_str(), &document.outline);
     let before = &text[..offset];
     // A block comment ends at its end, a line comment with its line.
@@ -55,9 +55,9 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     }
     let typed = &before[before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len()..];
     if before[..before.len() - typed.len()].trim_end_matches([' ', '\t']).ends_with('#') {
-        return Some(directives());
+        return Some(directive_completions());
     }
-    let block = words::block_at(outline, offset);
+    let block = words::block_name_at(outline, offset);
     let mut out: Vec<_> = words::block_words(block).iter().map(item_of_word).collect();
     let values = words::function_names_arguments_summaries().map(|(name, arguments, summary)| CompletionItem {
         kind: Some(CompletionItemKind::FUNCTION),
@@ -74,7 +74,7 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     }
     let colors = interpreter::COLOR_WORDS.iter().map(item_of_word);
     out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
-    out.extend(visible_names(reached, outline.macro_pair_at(offset)));
+    out.extend(visible_name_completions(reached, outline.macro_pair_at(offset)));
     if typed.len() >= MIN_LETTERS {
         out.extend(library_completions(document, &out, typed));
     }
@@ -94,7 +94,7 @@ fn completion_item(label: &str, detail: String, about: &str) -> CompletionItem {
 
 /// Returns the completion for a word that a block takes; shapes and blocks are completed with their braces.
 fn item_of_word(taken: &WordSpec) -> CompletionItem {
-    let shape = words::shape(taken.name);
+    let shape = words::shape_spec(taken.name);
     let snippet = match shape {
         Some(spec) if !spec.params.is_empty() => {
             let place = |(i, param): (usize, &crate::value::Param)| format!("${{{}:{}}}", i + 1, param.name);
@@ -117,7 +117,7 @@ fn item_of_word(taken: &WordSpec) -> CompletionItem {
     }
 }
 
-fn directives() -> Vec<CompletionItem> {
+fn directive_completions() -> Vec<CompletionItem> {
     let rows = interpreter::directives::TABLE.iter();
     rows.flat_map(|row| row.names.iter().map(move |name| (name, row)))
         .map(|(name, row)| CompletionItem {
@@ -129,7 +129,7 @@ fn directives() -> Vec<CompletionItem> {
 
 /// Returns completions for the declared names that are visible in the macro `within_macro` of the first text, or outside of
 /// macros.
-fn visible_names(reached: &[ReachableText], within_macro: Option<usize>) -> Vec<CompletionItem> {
+fn visible_name_completions(reached: &[ReachableText], within_macro: Option<usize>) -> Vec<CompletionItem> {
     let mut out: Vec<CompletionItem> = vec![];
     let mut seen = std::collections::HashSet::new();
     for (i, one) in reached.iter().enumerate() {
@@ -157,7 +157,7 @@ fn visible_names(reached: &[ReachableText], within_macro: Option<usize>) -> Vec<
 }
 
 fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> CompletionItem {
-    let parameters = parameters(one, d);
+    let parameters = macro_parameters(one, d);
     let snippet = parameters.as_ref().map(|parameters| {
         let place = |(i, name): (usize, &String)| format!("${{{}:{name}}}", i + 1);
         format!("{}({})", d.name, parameters.iter().enumerate().map(place).collect::<Vec<_>>().join(", "))
@@ -176,8 +176,8 @@ fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> Completio
     }
 }
 
-/// Returns the parameter names of a macro.
-pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
+/// Returns the parameter names of a declared macro; `None` if the declaration is not that of a macro.
+pub fn macro_parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
     (d.kind == DeclarationKind::Macro).then(|| one.outline.parameters(d).map(String::from).collect())
 }
 

@@ -13,11 +13,11 @@ const MAX_LINES: usize = 8;
 /// Largest number of displayed bytes of a declaration.
 const MAX_BYTES: usize = 400;
 
-/// The manual's text about a word, or the declaration of a name and its position.
+/// Returns the manual's text about the word at a position, or the declaration of a name and its position.
 pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<Hover> {
     let at = &params.text_document_position_params;
     let uri = &at.text_document.uri;
-    let related = server.related(uri);
+    let related = server.texts_sharing_names(uri);
     let document = server.document(uri)?;
     let offset = document.text.offset(at.position);
     let outline = &document.outline;
@@ -26,12 +26,12 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
     let value = match token.kind {
         TokenKind::Directive => words::directive_usage_and_summary(outline.directive_word(token))
             .map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
-        TokenKind::Word(_) => word_explanation(text, words::block_at(outline, offset)),
+        TokenKind::Word(_) => word_explanation(text, words::block_name_at(outline, offset)),
         TokenKind::Name => {
             let scope = outline.declaring_macro_pair(text, outline.macro_pair_at(token.range.end));
             let own = related.iter().position(|one| one.path == document.path);
             declaration_and_position(&related, text, scope, own)
-                .or_else(|| word_explanation(text, words::block_at(outline, offset)))
+                .or_else(|| word_explanation(text, words::block_name_at(outline, offset)))
         }
         _ => None,
     };
@@ -45,7 +45,8 @@ fn word_explanation(word: &str, block: &str) -> Option<String> {
     (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}{picture}", lines.join("\n- ")))
 }
 
-/// Returns the last declaration of a name and its position.
+/// Returns, as Markdown, the first declaration of a name in the document itself, or else in the related texts, with its
+/// file, its line and the number of declarations; `None` for a name that is not declared.
 fn declaration_and_position(
     related: &[ReachableText],
     name: &str,
@@ -67,7 +68,7 @@ fn declaration_and_position(
     let code = match d.kind {
         DeclarationKind::Macro => {
             let about = comment_above_line(one, d.whole.start);
-            let parameters = complete::parameters(one, d).unwrap_or_default();
+            let parameters = complete::macro_parameters(one, d).unwrap_or_default();
             format!("{about}#macro {}({})", d.name, parameters.join(", "))
         }
         DeclarationKind::Parameter => format!("{name}: a parameter"),
@@ -77,7 +78,7 @@ fn declaration_and_position(
     Some(format!("```pov\n{code}\n```\n{place}{more}"))
 }
 
-/// Returns the comments directly above a line of the scene.
+/// Returns the `//` comments directly above the line that contains a byte, each with a line ending; empty without comments.
 fn comment_above_line(one: &ReachableText, byte_in_line: usize) -> String {
     let before = &one.text.as_str()[..one.outline.line_at(byte_in_line).start];
     let mut lines: Vec<&str> =
@@ -86,10 +87,10 @@ fn comment_above_line(one: &ReachableText, byte_in_line: usize) -> String {
     lines.iter().map(|line| format!("{}\n", line.trim())).collect()
 }
 
-/// A declaration up to its `;` or closing brace, shortened if necessary.
-fn shortened_declaration(text: &str) -> String {
-    let (mut depth, mut end) = (0i32, text.len());
-    for (i, c) in text.char_indices() {
+/// Returns the declaration with which a text begins, up to its `;` or closing brace, shortened if necessary.
+fn shortened_declaration(text_from_declaration: &str) -> String {
+    let (mut depth, mut end) = (0i32, text_from_declaration.len());
+    for (i, c) in text_from_declaration.char_indices() {
         depth += match c {
             '{' | '(' => 1,
             '}' | ')' => -1,
@@ -99,7 +100,9 @@ fn shortened_declaration(text: &str) -> String {
             ';' => depth <= 0,
             '}' => depth == 0,
             '\n' => {
-                depth <= 0 && text[..i].contains('=') && !text[..i].trim_end().ends_with(['=', ',', '+', '-', '*', '/'])
+                depth <= 0
+                    && text_from_declaration[..i].contains('=')
+                    && !text_from_declaration[..i].trim_end().ends_with(['=', ',', '+', '-', '*', '/'])
             }
             _ => false,
         };
@@ -112,7 +115,7 @@ fn shortened_declaration(text: &str) -> String {
             break;
         }
     }
-    let mut lines: Vec<&str> = text[..end].lines().collect();
+    let mut lines: Vec<&str> = text_from_declaration[..end].lines().collect();
     let whole = lines.len() <= MAX_LINES && end <= MAX_BYTES;
     lines.truncate(MAX_LINES);
     lines.join("\n") + if whole { "" } else { " …" }

@@ -12,14 +12,14 @@ const MIN_LINES: u32 = 8;
 /// Returns the inlay hints in a range of the document.
 pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Option<Vec<InlayHint>> {
     let uri = &params.text_document.uri;
-    let related = server.related(uri);
+    let related = server.texts_sharing_names(uri);
     let document = server.document(uri)?;
     let (text, outline) = (&document.text, &document.outline);
     let (from, to) = (text.offset(params.range.start), text.offset(params.range.end));
     let mut parameters: HashMap<&str, Vec<String>> = HashMap::new();
     for one in &related {
         for d in one.outline.declarations.iter().filter(|d| d.kind == DeclarationKind::Macro) {
-            parameters.entry(&d.name).or_insert_with(|| complete::parameters(one, d).unwrap_or_default());
+            parameters.entry(&d.name).or_insert_with(|| complete::macro_parameters(one, d).unwrap_or_default());
         }
     }
     let mut out = vec![];
@@ -51,7 +51,7 @@ fn is_macro_definition(outline: &Outline, pair: &Pair) -> bool {
     outline.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.range == pair.head)
 }
 
-/// Returns the byte offsets of a call's arguments.
+/// Returns the byte offsets of a call's arguments, or of the first ones if the others have no known index.
 fn argument_offsets(outline: &Outline, call: &Pair) -> Vec<usize> {
     let inside = &outline.tokens[call.opener + 1..call.closer.unwrap_or(outline.tokens.len())];
     let (mut out, mut depth, mut fresh) = (vec![], 0i32, true);

@@ -10,12 +10,12 @@ use lsp_types::{
     Position, Range, SelectionRange, SelectionRangeParams, TextEdit,
 };
 
-/// The edits of `durer fmt`; `None` for a text with syntax errors.
+/// Returns the edits that format a document as `durer fmt` does; `None` for a text with syntax errors.
 pub fn format<S: Client>(server: &mut Server<S>, params: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
     edits(server.document(&params.text_document.uri)?)
 }
 
-/// The edits of `durer fmt` that touch a range.
+/// Returns the edits of [`format()`] that touch the lines of a range.
 pub fn format_range<S: Client>(
     server: &mut Server<S>,
     params: &DocumentRangeFormattingParams,
@@ -47,7 +47,8 @@ fn edits(document: &Document) -> Option<Vec<TextEdit>> {
     Some(out)
 }
 
-/// The nearest pair of equal lines after a difference.
+/// Returns the indices in `a` and `b` of the nearest pair of equal lines after the indices `i` and `j`, whose lines differ;
+/// the lengths of both if no pair is near.
 fn next_equal_lines(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
     const MAX_DISTANCE: usize = 60;
     for apart in 1..MAX_DISTANCE {

@@ -18,8 +18,8 @@ use lsp_server::{ErrorCode, Request, Response};
 use lsp_types::request as ask;
 use serde_json::{Value, json};
 
-/// The capabilities of the server. Positions count in UTF-16, which every editor supports. Commands that the editor
-/// implements itself, named in `initializationOptions.commands`, are omitted.
+/// Returns the capabilities of the server. Positions count in UTF-16, which every editor supports. Commands that the
+/// editor implements itself, named in `initializationOptions.commands`, are omitted.
 pub fn capabilities(asked: &Value) -> Value {
     let own = &asked["initializationOptions"]["commands"];
     let is_own = |command: &&str| own.as_array().is_some_and(|own| own.iter().any(|one| one == command));
@@ -58,7 +58,7 @@ pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
             Err(error) => Response::new_err(request.id, ErrorCode::InvalidParams as i32, error.to_string()),
         }
     }
-    if let Some(response) = refuse_document(server, &request) {
+    if let Some(response) = response_without_service(server, &request) {
         return response;
     }
     match request.method.as_str() {
@@ -73,7 +73,7 @@ pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
             respond_with::<ask::DocumentHighlightRequest>(request, |p| names::highlights(server, &p))
         }
         "textDocument/prepareRename" => {
-            respond_with::<ask::PrepareRenameRequest>(request, |p| names::prepare(server, &p))
+            respond_with::<ask::PrepareRenameRequest>(request, |p| names::prepare_rename(server, &p))
         }
         "textDocument/rename" => rename(server, request),
         "textDocument/documentSymbol" => {
@@ -96,7 +96,7 @@ pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
         "textDocument/codeAction" => respond_with::<ask::CodeActionRequest>(request, |p| actions::actions(server, &p)),
         "textDocument/documentColor" => respond_with::<ask::DocumentColor>(request, |p| colors::colors(server, &p)),
         "textDocument/colorPresentation" => {
-            respond_with::<ask::ColorPresentationRequest>(request, |p| colors::present(server, &p))
+            respond_with::<ask::ColorPresentationRequest>(request, |p| colors::color_presentations(server, &p))
         }
         "textDocument/inlayHint" => respond_with::<ask::InlayHintRequest>(request, |p| inlay::hints(server, &p)),
         "textDocument/codeLens" => respond_with::<ask::CodeLensRequest>(request, |p| lens::lenses(server, &p)),
@@ -110,7 +110,7 @@ pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
 
 /// Returns the response to a request about a document that is not open or too large for any service; `None` for all
 /// other requests.
-fn refuse_document<S: Client>(server: &Server<S>, request: &Request) -> Option<Response> {
+fn response_without_service<S: Client>(server: &Server<S>, request: &Request) -> Option<Response> {
     let address = request.params["textDocument"]["uri"].as_str()?;
     let id = request.id.clone();
     let Some(document) = server.open.get(address) else {

@@ -20,8 +20,8 @@ struct Named {
     declaring_macro_pair: Option<usize>,
 }
 
-/// The name at a position of an open text.
-fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named> {
+/// Returns the name at a position of an open text, declared or not; `None` at other tokens.
+fn name_at<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
     let outline = &document.outline;
@@ -56,19 +56,19 @@ fn occurrences(reached: &ReachableText, named: &Named, is_requesting_text: bool)
     out
 }
 
-/// All occurrences of a name in all related texts.
+/// Returns all occurrences of a name in all related texts, by text; texts without an occurrence are omitted.
 fn related_occurrences<S: Client>(
     server: &mut Server<S>,
     uri: &Uri,
     named: &Named,
 ) -> Vec<(Uri, ReachableText, Vec<Occurrence>)> {
     let own = server.document(uri).map(|document| document.path.clone());
-    let related = server.related(uri);
+    let related = server.texts_sharing_names(uri);
     let mut out = vec![];
     for reached in related {
         let is_own = own.as_ref() == Some(&reached.path);
         let found = occurrences(&reached, named, is_own);
-        let address = if is_own { Some(uri.clone()) } else { server.uri(&reached, uri) };
+        let address = if is_own { Some(uri.clone()) } else { server.uri_of_reached(&reached, uri) };
         if let (Some(address), false) = (address, found.is_empty()) {
             out.push((address, reached, found));
         }
@@ -76,14 +76,14 @@ fn related_occurrences<S: Client>(
     out
 }
 
-/// The declaration of a name, or the file of an `#include`.
+/// Returns all declarations of the name at a position, or the file of an `#include`.
 pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionParams) -> Option<GotoDefinitionResponse> {
     let TextDocumentPositionParams { text_document, position } = &params.text_document_position_params;
     let uri = &text_document.uri;
     if let Some(file) = included_file_at(server, uri, *position) {
         return Some(GotoDefinitionResponse::Scalar(Location { uri: file, range: Range::default() }));
     }
-    let named = named(server, uri, *position)?;
+    let named = name_at(server, uri, *position)?;
     let all = related_occurrences(server, uri, &named).into_iter().flat_map(|(uri, _, hits)| {
         hits.into_iter().filter(|hit| hit.declares).map(move |hit| Location { uri: uri.clone(), range: hit.range })
     });
@@ -104,7 +104,7 @@ fn included_file_at<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) 
 /// Returns all occurrences of the name at a position of the document.
 pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -> Option<Vec<Location>> {
     let at = &params.text_document_position;
-    let named = named(server, &at.text_document.uri, at.position)?;
+    let named = name_at(server, &at.text_document.uri, at.position)?;
     let declares = params.context.include_declaration;
     let all = related_occurrences(server, &at.text_document.uri, &named).into_iter().flat_map(|(uri, _, hits)| {
         hits.into_iter()
@@ -120,30 +120,30 @@ pub fn highlights<S: Client>(
     params: &DocumentHighlightParams,
 ) -> Option<Vec<DocumentHighlight>> {
     let TextDocumentPositionParams { text_document, position } = &params.text_document_position_params;
-    let named = named(server, &text_document.uri, *position)?;
+    let named = name_at(server, &text_document.uri, *position)?;
     let own = server.reachable(&text_document.uri).into_iter().next()?;
     let kind = |hit: &Occurrence| if hit.declares { DocumentHighlightKind::WRITE } else { DocumentHighlightKind::READ };
     let all = occurrences(&own, &named, true);
     Some(all.iter().map(|hit| DocumentHighlight { range: hit.range, kind: Some(kind(hit)) }).collect())
 }
 
-/// The range of the name that can be renamed at a position.
-pub fn prepare<S: Client>(
+/// Returns the range of the name at a position that the editor offers to rename; `None` at other tokens.
+pub fn prepare_rename<S: Client>(
     server: &mut Server<S>,
     params: &TextDocumentPositionParams,
 ) -> Option<PrepareRenameResponse> {
-    let named = named(server, &params.text_document.uri, params.position)?;
+    let named = name_at(server, &params.text_document.uri, params.position)?;
     Some(PrepareRenameResponse::Range(named.range))
 }
 
-/// Renames all occurrences of a name.
+/// Returns the edits that rename all occurrences of the name at a position; `None` without a name there.
 ///
 /// # Errors
 /// The reason of a refusal.
 pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Result<Option<WorkspaceEdit>, String> {
     let at = &params.text_document_position;
     let uri = &at.text_document.uri;
-    let Some(named) = named(server, uri, at.position) else { return Ok(None) };
+    let Some(named) = name_at(server, uri, at.position) else { return Ok(None) };
     let new = params.new_name.trim();
     check_name(new)?;
     let all = related_occurrences(server, uri, &named);

@@ -35,7 +35,7 @@ enum Type {
 /// comments are left to the editor's grammar.
 pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) -> Option<SemanticTokensResult> {
     let uri = &params.text_document.uri;
-    let related = server.related(uri);
+    let related = server.texts_sharing_names(uri);
     let document = server.document(uri)?;
     let (text, outline) = (&document.text, &document.outline);
     let declared = |one: &'_ crate::lsp::files::ReachableText| {

@@ -13,7 +13,7 @@ use lsp_types::{
 pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> Option<SignatureHelp> {
     let at = &params.text_document_position_params;
     let uri = &at.text_document.uri;
-    let related = server.related(uri);
+    let related = server.texts_sharing_names(uri);
     let document = server.document(uri)?;
     let offset = document.text.offset(at.position);
     let outline = &document.outline;
@@ -21,7 +21,7 @@ pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> 
     let name = outline.head(call);
     let declared = related.iter().find_map(|one| {
         let d = one.outline.declarations.iter().find(|d| d.kind == DeclarationKind::Macro && d.name == name)?;
-        complete::parameters(one, d)
+        complete::macro_parameters(one, d)
     });
     let (parameters, about) = match declared {
         Some(parameters) => (parameters, ""),

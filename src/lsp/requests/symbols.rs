@@ -70,7 +70,8 @@ fn symbol(
     }
 }
 
-/// Names that contain the query, in all open texts and their includes.
+/// Returns the declared names and macros that contain the query, in any letter case, in all open texts and their includes;
+/// at most [`MAX_SYMBOLS`].
 pub fn of_workspace<S: Client>(
     server: &mut Server<S>,
     params: &WorkspaceSymbolParams,
@@ -81,7 +82,7 @@ pub fn of_workspace<S: Client>(
     let mut seen = std::collections::HashSet::new();
     for from in uris {
         for reached in server.reachable(&from) {
-            let Some(uri) = server.uri(&reached, &from) else { continue };
+            let Some(uri) = server.uri_of_reached(&reached, &from) else { continue };
             if !seen.insert(uri.as_str().to_string()) {
                 continue;
             }
