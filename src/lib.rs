@@ -253,8 +253,8 @@ pub struct Built {
     pub origins: Vec<Vec<Label>>,
     /// Branches of `#if` and its kin that never ran; empty unless `BuildOptions::record_branches` is set.
     pub unused_branches: Vec<Span>,
-    /// Files that the scene wrote to memory alone (see [`source::WritePolicy::InMemory`]).
-    pub written_in_memory: Vec<std::path::PathBuf>,
+    /// Paths of the files that the scene wrote to memory alone (see [`source::WritePolicy::InMemory`]).
+    pub paths_written_in_memory: Vec<std::path::PathBuf>,
     /// Duration of reading and evaluating the text into a Scene.
     pub parse_time: Duration,
     /// Duration of building the World from the Scene.
@@ -321,7 +321,7 @@ fn lower_outcome(
         mut limit_reached,
         origins,
         unused_branches,
-        written_in_memory,
+        paths_written_in_memory,
     } = outcome;
     if let Some(scene) = &scene {
         diagnostics.extend(advice::scene_warnings(scene, sources));
@@ -351,7 +351,7 @@ fn lower_outcome(
         limit_reached,
         origins,
         unused_branches,
-        written_in_memory,
+        paths_written_in_memory,
         parse_time,
         build_time,
     }

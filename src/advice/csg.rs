@@ -45,7 +45,7 @@ pub(super) fn csg_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> 
     out
 }
 
-/// Returns warnings about unions of one object, which are harmless.
+/// Returns warnings about unions and merges of one object, which are harmless, for `--warn doubtful`.
 pub(super) fn single_object_union_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = CsgByTextPosition::default();
     scene.objects.iter().for_each(|object| groups.gather(object));

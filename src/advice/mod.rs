@@ -45,7 +45,7 @@ pub fn time_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic
     media.into_iter().chain(global_light::slow_global_light_warning(world, options)).collect()
 }
 
-/// Returns warnings about parts of the scene that are unusual but mostly intended, for `--warn doubtful`.
+/// Returns warnings about parts of the scene that are often, but not always, a mistake, for `--warn doubtful`.
 pub fn doubtful_scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::view_along_sky_warning(scene).into_iter().chain(csg::single_object_union_warnings(scene, sources)).collect()
 }

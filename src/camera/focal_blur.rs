@@ -11,7 +11,8 @@ use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::sync::Arc;
 
-/// Settings of a camera's focal blur as written.
+/// Settings of a camera's focal blur before lowering, adjusted to their valid ranges; a setting that the scene does not
+/// give has its default.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FocalBlur {
     /// Four times the radius of the lens (quirk: `aperture_is_four_radii`); 0 for no blur.
@@ -20,7 +21,8 @@ pub struct FocalBlur {
     pub focal_point: DVec3,
     /// Distance of the plane in focus; `None` if the final `location` decides.
     pub distance: Option<f64>,
-    /// Minimum and maximum number of rays a pixel for focal blur.
+    /// Minimum and maximum number of rays a pixel for focal blur. A minimum of 0 requests the default minimum, a maximum
+    /// of 0 no blur.
     pub samples: [u32; 2],
     /// Confidence, from 0 to 1, that a pixel's variance is below `variance` when no more rays are cast.
     pub confidence: f64,

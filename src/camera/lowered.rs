@@ -71,9 +71,9 @@ impl LoweredCamera {
 }
 
 impl View {
-    /// Maximum number of camera rays through a point of the picture; more than 1 only for a mesh camera.
-    pub fn rays_per_point(&self) -> usize {
-        if let Rays::Faces(mesh) = &self.rays { mesh.rays_per_point() } else { 1 }
+    /// Maximum number of a mesh camera's rays through a point of the picture; 1 for other cameras, also with focal blur.
+    pub fn max_mesh_rays_per_point(&self) -> usize {
+        if let Rays::Faces(mesh) = &self.rays { mesh.max_rays_per_point() } else { 1 }
     }
 
     /// Maximum distance of a hit along a camera ray, in world units.

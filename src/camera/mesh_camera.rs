@@ -152,7 +152,7 @@ impl MeshRays {
     }
 
     /// Maximum number of rays of the mesh camera through a point of the picture.
-    pub fn rays_per_point(&self) -> usize {
+    pub fn max_rays_per_point(&self) -> usize {
         if self.camera.distribution == Distribution::Layers { self.camera.rays } else { 1 }
     }
 

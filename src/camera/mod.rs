@@ -101,7 +101,7 @@ impl Camera {
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         match ordered && lecture.is_none() {
-                            true => povray.transform_vectors(&step),
+                            true => povray.transform_location_and_axes(&step),
                             false => transform = transform.then(&step),
                         }
                     }

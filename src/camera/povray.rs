@@ -178,7 +178,7 @@ impl PovrayCamera {
             }
             camera.apply_look_at();
         }
-        camera.transform_vectors(&self.transform);
+        camera.transform_location_and_axes(&self.transform);
         Frame { origin: camera.location, direction: camera.direction, right: camera.right, up: camera.up }
     }
 
@@ -217,7 +217,7 @@ impl PovrayCamera {
     }
 
     /// Transforms location, direction, right and up, but neither `sky` nor `look_at`.
-    pub(super) fn transform_vectors(&mut self, by: &Transform) {
+    pub(super) fn transform_location_and_axes(&mut self, by: &Transform) {
         self.location = by.transform_point(self.location);
         self.direction = by.transform_vector(self.direction);
         self.right = by.transform_vector(self.right);

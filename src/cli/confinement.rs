@@ -21,7 +21,7 @@ struct FileAccess {
 /// Landlock.
 pub fn confine(console: &Console, command: &Command) {
     let Some(access) = untrusted_file_access(command) else { return };
-    if !restrict_if_supported(access) && cfg!(target_os = "linux") {
+    if !restrict_thread_at_least_partly(access) && cfg!(target_os = "linux") {
         console.info("this system has no Landlock: only durer's own rules confine the untrusted scene\n");
     }
 }
@@ -90,16 +90,17 @@ fn parent_or_current_folder(path: &Path) -> PathBuf {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new(".")).into()
 }
 
-/// Restricts the thread by Landlock; returns false if the kernel does not enforce the rules.
+/// Restricts this thread, and those that it starts later, by Landlock, as far as the kernel supports Landlock. Returns true
+/// if the kernel enforces at least a part of the rules.
 #[cfg(target_os = "linux")]
-fn restrict_if_supported(access: FileAccess) -> bool {
-    try_restrict(access).is_ok_and(|status| status != landlock::RulesetStatus::NotEnforced)
+fn restrict_thread_at_least_partly(access: FileAccess) -> bool {
+    try_restrict_thread(access).is_ok_and(|status| status != landlock::RulesetStatus::NotEnforced)
 }
 
 /// Restricts the thread as far as the kernel's version of Landlock can: files; since Linux 6.7 connections; since 6.12
 /// signals and sockets without a file.
 #[cfg(target_os = "linux")]
-fn try_restrict(access: FileAccess) -> Result<landlock::RulesetStatus, landlock::RulesetError> {
+fn try_restrict_thread(access: FileAccess) -> Result<landlock::RulesetStatus, landlock::RulesetError> {
     use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreatedAttr, Scope};
     let abi = ABI::V6;
     let read = AccessFs::ReadFile | AccessFs::ReadDir;
@@ -125,7 +126,7 @@ fn try_restrict(access: FileAccess) -> Result<landlock::RulesetStatus, landlock:
 }
 
 #[cfg(not(target_os = "linux"))]
-fn restrict_if_supported(_: FileAccess) -> bool {
+fn restrict_thread_at_least_partly(_: FileAccess) -> bool {
     false
 }
 
@@ -169,7 +170,7 @@ mod tests {
         std::fs::write(&secret, "2").unwrap();
         let access = FileAccess { read: vec![inner.path().into()], write: vec![] };
         let confined = std::thread::spawn(move || {
-            restrict_if_supported(access).then(|| {
+            restrict_thread_at_least_partly(access).then(|| {
                 let reads = [&seen, &secret].map(|path| std::fs::read(path).is_ok());
                 (reads, std::fs::write(&seen, "3").is_ok())
             })

@@ -21,10 +21,10 @@ struct Fingerprint {
 
 /// Files that one scene created, each with its state after the last write. `None` while the scene writes the file, or
 /// if the file was gone at the end: such a file belongs to the scene, whatever its contents.
-type OwnFiles = BTreeMap<PathBuf, Option<Fingerprint>>;
+type FilesOfScene = BTreeMap<PathBuf, Option<Fingerprint>>;
 
 /// Created files, by the path of the scene that created them.
-type Created = BTreeMap<PathBuf, OwnFiles>;
+type Created = BTreeMap<PathBuf, FilesOfScene>;
 
 /// Files that one scene created, in this run and in earlier ones.
 #[derive(Debug)]
@@ -47,15 +47,15 @@ impl CreatedByScene {
         }
     }
 
-    /// Changes the list of the scene's files. Programs that run at the same time wait for each other. An unreadable
-    /// list counts as empty, and is replaced. `None` if the list cannot be written: it stays unchanged, and a later
-    /// run of the scene may replace fewer files.
-    fn try_update_own_files(&self, change: impl FnOnce(&mut OwnFiles)) -> Option<()> {
+    /// Applies `change` to the scene's part of the list of created files, and saves the list. Programs that run at the
+    /// same time wait for each other. A list that cannot be read counts as empty, and is replaced. `None` if the list
+    /// cannot be saved: the old list stays, and a later run of the scene may replace fewer files.
+    fn try_save_changed_list(&self, change: impl FnOnce(&mut FilesOfScene)) -> Option<()> {
         let store = self.store.as_ref()?;
         std::fs::create_dir_all(store.parent()?).ok()?;
         let lock = File::create(store.with_extension("lock")).ok()?;
         lock.lock().ok()?;
-        let mut all = read_store(store);
+        let mut all = read_store_or_empty(store);
         change(all.entry(self.scene.clone()).or_default());
         if all.values().map(BTreeMap::len).sum::<usize>() > MANY {
             all.values_mut().for_each(|files| files.retain(|path, _| path.exists()));
@@ -71,7 +71,7 @@ impl CreatedFiles for CreatedByScene {
     fn add(&self, path: &Path) {
         if !self.session.contains(path) {
             self.session.add(path);
-            self.try_update_own_files(|files| _ = files.insert(path.to_path_buf(), None));
+            self.try_save_changed_list(|files| _ = files.insert(path.to_path_buf(), None));
         }
     }
 
@@ -79,7 +79,8 @@ impl CreatedFiles for CreatedByScene {
         if self.session.contains(path) {
             return true;
         }
-        let stored = self.store.as_deref().map(read_store).and_then(|mut all| all.remove(&self.scene)?.remove(path));
+        let stored =
+            self.store.as_deref().map(read_store_or_empty).and_then(|mut all| all.remove(&self.scene)?.remove(path));
         stored.is_some_and(|state| state.is_none_or(|state| Some(state) == fingerprint(path)))
     }
 }
@@ -88,14 +89,15 @@ impl Drop for CreatedByScene {
     fn drop(&mut self) {
         let created = self.session.paths();
         if !created.is_empty() {
-            self.try_update_own_files(|files| {
+            self.try_save_changed_list(|files| {
                 files.extend(created.into_iter().map(|path| (path.clone(), fingerprint(&path))))
             });
         }
     }
 }
 
-fn read_store(store: &Path) -> Created {
+/// Returns the list at this path; an empty one if the list cannot be read or parsed.
+fn read_store_or_empty(store: &Path) -> Created {
     std::fs::read(store).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default()
 }
 

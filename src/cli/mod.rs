@@ -45,7 +45,7 @@ use console::{Console, Dialect, print_message};
 pub use exit::{Exit, Failure, Result};
 use povray::client_lines;
 pub use povray::ini_names;
-use render::Context;
+use render::RenderContext;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::LazyLock;
@@ -56,12 +56,12 @@ fn commands() -> &'static clap::Command {
     &COMMAND
 }
 
-/// Runs the program with the words of its command line, the first of which is the program's name.
-pub fn main(words: Vec<OsString>) -> ExitCode {
+/// Runs the program with its name and the words of its command line.
+pub fn main(program_and_words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
         let mut console = Console::before_arguments();
-        let exit = match parse_command_line(words, &mut console) {
+        let exit = match parse_command_line(program_and_words, &mut console) {
             Ok((command, context)) => dispatch(&console, &command, context),
             Err(failure) => Err(failure),
         };
@@ -72,20 +72,21 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
     ExitCode::from(exit.number())
 }
 
-/// Parses the command line after translating POV-Ray's options, configures the console, and reports the warnings about
-/// POV-Ray's options. The returned context holds settings for which durer has no option.
-fn parse_command_line(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
-    if !povray::is_named_povray(&words) {
-        unknown::check_command_name(&words)?;
+/// Parses the command line, which begins with the program's name, after translating POV-Ray's options. Configures the
+/// console, and reports the warnings about POV-Ray's options. The returned context holds the inputs of a render for which
+/// durer has no option, such as the animation that POV-Ray's options request.
+fn parse_command_line(program_and_words: Vec<OsString>, console: &mut Console) -> Result<(Command, RenderContext)> {
+    if !povray::is_named_povray(&program_and_words) {
+        unknown::check_command_name(&program_and_words)?;
     }
-    if povray::asks_version(&words) {
+    if povray::asks_version(&program_and_words) {
         print_message(client_lines::BANNER);
     }
     // POV-Ray prints its lines with `-GA`, too.
-    let is_quiet = words.iter().any(|word| word == "-q" || word == "--quiet");
+    let is_quiet = program_and_words.iter().any(|word| word == "-q" || word == "--quiet");
     let sources = Sources::default();
     let povray::Translated { words, animation, mut diagnostics, idle, is_povray_line, text_output } =
-        povray::translate(&sources, words);
+        povray::translate(&sources, program_and_words);
     let dialect = if is_povray_line && !is_quiet { Dialect::Povray } else { Dialect::Durer };
     if is_povray_line {
         exit::use_povray_codes();
@@ -107,10 +108,10 @@ fn parse_command_line(words: Vec<OsString>, console: &mut Console) -> Result<(Co
         diagnostics.extend(idle);
     }
     console.report(&sources, &diagnostics);
-    Ok((command, Context { animation, ini_files: sources.read_files(), cancel: None }))
+    Ok((command, RenderContext { animation, ini_files: sources.read_files(), cancel: None }))
 }
 
-fn dispatch(console: &Console, command: &Command, context: Context) -> Result {
+fn dispatch(console: &Console, command: &Command, context: RenderContext) -> Result {
     confinement::confine(console, command);
     match command {
         Command::Render(args) => render::run(console, args, context).0,

@@ -92,7 +92,8 @@ pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing>
     }
 }
 
-/// Returns the interpreter's options for a scene, which writes its files into memory unless [`allow_writing`] changes that.
+/// Returns the interpreter's options for a scene, which writes its files into memory unless
+/// [`allow_writing_below_current_folder`] changes that.
 pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
@@ -166,13 +167,14 @@ fn sampling(look: &LookArgs) -> Sampling {
     }
 }
 
-/// Allows a scene to create files below the current folder, and to write below the folders of `--allow-write`. Does
-/// nothing for an untrusted scene.
-pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input: &Path) {
+/// Allows a scene to create files below the current folder, and to create and replace files below the folders of
+/// `--allow-write`. `scene_path` is the key of the list of files that the scene has created, and may therefore replace.
+/// Does nothing for an untrusted scene.
+pub fn allow_writing_below_current_folder(options: &mut interpreter::Options, args: &SceneArgs, scene_path: &Path) {
     if args.is_untrusted() {
         return;
     }
-    let created: Arc<dyn CreatedFiles> = Arc::new(CreatedByScene::new(input));
+    let created: Arc<dyn CreatedFiles> = Arc::new(CreatedByScene::new(scene_path));
     let folder = |path: &Path, replaces_all| WriteFolder { path: path.into(), created: created.clone(), replaces_all };
     let allowed = args.allow_write.iter().map(|path| folder(path, true));
     options.sandbox.write = WritePolicy::Below(allowed.chain([folder(Path::new("."), false)]).collect());
@@ -180,7 +182,7 @@ pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input
 
 /// Returns a line about the files that a scene wrote to memory; `None` if there are none.
 pub fn files_in_memory_line(built: &Built) -> Option<String> {
-    let [first, rest @ ..] = &built.written_in_memory[..] else { return None };
+    let [first, rest @ ..] = &built.paths_written_in_memory[..] else { return None };
     let others = match rest.len() {
         0 => String::new(),
         n => format!(" and {n} more"),

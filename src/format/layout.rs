@@ -102,7 +102,7 @@ impl<'a> Typesetter<'a> {
         self.atoms.row[i].flags & flags != 0
     }
 
-    /// True if the atom must begin a line.
+    /// True if the atom must begin a new line; false for the first atom, before which there is no line break.
     fn must_begin_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
         let after_comment = self.must_end_line(previous) || self.is_multi_line_comment(previous);

@@ -25,7 +25,8 @@ pub fn decode(bytes: Vec<u8>) -> Result<Encoded, ReadError> {
 }
 
 impl Encoded {
-    /// Returns the formatted text, whose new lines end as the first line of the text does; see [`format()`].
+    /// Returns the formatted text; see [`format()`]. Each `\n` without a `\r` before it is replaced by the line ending of
+    /// the original's first line; each `\r\n`, and each `\r` in comments and strings, stays.
     ///
     /// # Errors
     /// Those of [`format()`].
@@ -51,7 +52,7 @@ fn line_end(text: &str) -> &'static str {
     }
 }
 
-/// Replaces each `\n` at the end of a line by `end`. Line ends inside of strings and comments stay.
+/// Replaces each `\n` without a `\r` before it by `end`, also inside of strings and comments.
 fn replace_lone_line_feeds(text: &str, end: &str) -> String {
     if end == "\n" {
         return text.to_string();

@@ -4,43 +4,51 @@ use super::dither::Ditherer;
 use crate::color::{Gamma, transfer};
 use std::sync::LazyLock;
 
-/// Quantizes light to integer codes by a table instead of a power: for each small interval of numbers (with equal
-/// leading bits) the code of its start, and the one number in the interval, if any, from which on the code is one more.
-struct Quantizer {
+/// Quantizes linear light to integer codes of the sRGB curve by a table instead of a power: for each small interval of
+/// numbers (with equal leading bits) the code of its start, and the one number in the interval, if any, from which on the
+/// code is one more.
+struct SrgbQuantizer {
     /// Entry k is the smallest light with a code above k; the last is infinite.
     thresholds: Vec<f32>,
     /// Code of the smallest light in each of the quantizer's intervals.
     starts: Vec<u16>,
     /// Start of the quantizer's first interval, which has code 0.
     lowest: f32,
-    /// Number of trailing bits of the light that the quantizer's intervals ignore: so few that no two thresholds are in
-    /// one interval.
-    shift: u32,
+    /// Number of trailing bits of the light's `f32` that the quantizer's intervals ignore: so few that no two thresholds
+    /// are in one interval.
+    n_ignored_light_bits: u32,
 }
 
-static BITS8: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(255, 16));
-static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 8));
+static BITS8: LazyLock<SrgbQuantizer> = LazyLock::new(|| SrgbQuantizer::new(255, 16));
+static BITS16: LazyLock<SrgbQuantizer> = LazyLock::new(|| SrgbQuantizer::new(65_535, 8));
 
-impl Quantizer {
-    fn new(max: u16, shift: u32) -> Self {
-        let mut thresholds: Vec<f32> = (1..=max).map(|k| srgb_code_lowest_light(k, max)).collect();
+impl SrgbQuantizer {
+    /// Computes the table for the codes 0 to `max_code`. Its intervals ignore the trailing `n_ignored_light_bits` of the
+    /// light's `f32`.
+    fn new(max_code: u16, n_ignored_light_bits: u32) -> Self {
+        let mut thresholds: Vec<f32> = (1..=max_code).map(|k| srgb_code_lowest_light(k, max_code)).collect();
         thresholds.push(f32::INFINITY);
-        let first = (thresholds[0].to_bits() >> shift) - 1;
+        let first = (thresholds[0].to_bits() >> n_ignored_light_bits) - 1;
         let mut code = 0;
-        let starts = (first..=1f32.to_bits() >> shift).map(|interval| {
-            while thresholds[code] <= f32::from_bits(interval << shift) {
+        let starts = (first..=1f32.to_bits() >> n_ignored_light_bits).map(|interval| {
+            while thresholds[code] <= f32::from_bits(interval << n_ignored_light_bits) {
                 code += 1;
             }
             code as u16
         });
-        Self { starts: starts.collect(), thresholds, lowest: f32::from_bits(first << shift), shift }
+        Self {
+            starts: starts.collect(),
+            thresholds,
+            lowest: f32::from_bits(first << n_ignored_light_bits),
+            n_ignored_light_bits,
+        }
     }
 
     /// Returns the integer code nearest to the encoded light; 0 for NaN and negative numbers, the largest one above 1.
     #[inline]
     fn code_of_light(&self, x: f32) -> u16 {
         let x = if x > self.lowest { x.min(1.0) } else { self.lowest };
-        let code = self.starts[((x.to_bits() - self.lowest.to_bits()) >> self.shift) as usize];
+        let code = self.starts[((x.to_bits() - self.lowest.to_bits()) >> self.n_ignored_light_bits) as usize];
         code + u16::from(self.thresholds[usize::from(code)] <= x)
     }
 }
@@ -48,8 +56,8 @@ impl Quantizer {
 /// Returns the smallest light with this integer code: that of the half between the code and the one below. As in
 /// POV-Ray 3.7 the half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and
 /// becomes 179.
-fn srgb_code_lowest_light(code: u16, max: u16) -> f32 {
-    let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
+fn srgb_code_lowest_light(code: u16, max_code: u16) -> f32 {
+    let half = ((f64::from(code) - 0.5) / f64::from(max_code)) as f32;
     transfer::srgb_decode(f64::from(half)) as f32
 }
 
@@ -121,7 +129,8 @@ impl Integers {
         out
     }
 
-    /// Returns the light of a pixel's channels, clamped to 0..1, composited over black where alpha is not encoded.
+    /// Returns the linear light of a pixel's channels, clamped to 0..1: composited over black, or followed by alpha where
+    /// alpha is encoded.
     fn channel_lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
         let [r, g, b] = if self.alpha { [r, g, b] } else { composite_over_black([r, g, b, a]) };
         // (`max` replaces NaN by 0.)
@@ -202,7 +211,7 @@ mod tests {
     /// Numbers without gamma, as in scenes before version 3.7 (POV-Ray 3.7's output).
     #[test]
     fn a_half_is_rounded_up() {
-        let code = |table: &Quantizer, x: f32| table.code_of_light(transfer::srgb_decode(f64::from(x)) as f32);
+        let code = |table: &SrgbQuantizer, x: f32| table.code_of_light(transfer::srgb_decode(f64::from(x)) as f32);
         for (table, max) in [(&BITS8, 255), (&BITS16, 65_535)] {
             for k in 0..max {
                 let half = ((f64::from(k) + 0.5) / f64::from(max)) as f32;

@@ -118,8 +118,8 @@ pub struct Outcome {
     /// Macro calls and includes around each of the scene's objects, innermost first; empty without
     /// [`Options::record_origins`].
     pub origins: Vec<Vec<Label>>,
-    /// Files that the scene wrote to memory, because its sandbox does not allow writing files.
-    pub written_in_memory: Vec<PathBuf>,
+    /// Paths of the files that the scene wrote to memory, because its sandbox does not allow writing files.
+    pub paths_written_in_memory: Vec<PathBuf>,
     /// Branches of `#if`, `#ifdef` and `#switch` that never ran; empty without [`Options::record_branches`].
     pub unused_branches: Vec<Span>,
 }
@@ -143,7 +143,7 @@ pub fn interpret_with(
     let inputs = Inputs { sources, files: &files, names: &parsed.names, parsed, options };
     let mut interpreter = Interpreter::new(inputs, debug);
     interpreter.run(file);
-    Outcome { written_in_memory: files.written_in_memory(), ..interpreter.outcome() }
+    Outcome { paths_written_in_memory: files.paths_written_in_memory(), ..interpreter.outcome() }
 }
 
 /// Inputs of a run, which all its parts share.
@@ -257,7 +257,7 @@ impl<'a> Interpreter<'a> {
             limit_reached,
             origins,
             unused_branches,
-            written_in_memory: vec![],
+            paths_written_in_memory: vec![],
         }
     }
 

@@ -3,7 +3,7 @@
 use crate::function::numeric::{self, Kernel};
 use crate::interpreter;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
-use crate::reference::{BLOCKS, ELSEWHERE, entries, shape_pattern_warp_entries};
+use crate::reference::{BLOCKS, ELSEWHERE, documented_blocks, shape_pattern_warp_entries};
 use crate::scene::words::MODIFIERS;
 use crate::shape::Shape;
 use crate::syntax::Outline;
@@ -36,7 +36,7 @@ pub fn block_words(block: &str) -> Vec<WordSpec> {
     let holds_objects =
         block.is_empty() || GROUPS.contains(&block) || matches!(block, "clipped_by" | "bounded_by" | "light_group");
     let named = if block.is_empty() { interpreter::STATEMENTS.name } else { block };
-    for entry in entries().filter(|entry| entry.has_braces && entry.spec.name == named) {
+    for entry in documented_blocks().filter(|entry| entry.has_braces && entry.spec.name == named) {
         add_new_words(&mut out, entry.spec.words.iter().copied());
         if entry.spec.has_transforms {
             add_new_words(&mut out, TRANSFORMS.iter().copied());

@@ -90,7 +90,7 @@ pub fn shape_pattern_warp_entries() -> impl Iterator<Item = Entry> {
 }
 
 /// Returns all documented blocks: those of [`BLOCKS`], then shapes, patterns and warps.
-pub fn entries() -> impl Iterator<Item = Entry> {
+pub fn documented_blocks() -> impl Iterator<Item = Entry> {
     BLOCKS.iter().copied().chain(shape_pattern_warp_entries())
 }
 

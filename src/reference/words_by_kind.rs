@@ -1,6 +1,6 @@
 //! All words of the language by kind, for the grammars of editors, which `tests/suite/editors.rs` generates.
 
-use super::{BLOCKS, entries};
+use super::{BLOCKS, documented_blocks};
 use crate::interpreter::directives;
 use crate::pattern::Modifiers;
 use crate::shape::Shape;
@@ -32,7 +32,7 @@ pub struct WordsByKind {
 
 /// Returns all words of the language by kind.
 pub fn words_by_kind() -> WordsByKind {
-    let rows = || entries().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
+    let rows = || documented_blocks().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
     let objects = sorted(Shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
     // These have no table.
     let named = BLOCKS.iter().map(|block| block.spec.name).chain(["function", "array", "pattern", "warp"]);

@@ -148,7 +148,8 @@ pub trait Watch: Sync {
     /// Reports the number of finished pixels after each tile. Adaptive anti-aliasing counts the pixels of both passes.
     fn progress(&self, done: usize, total: usize);
     /// Reports the number of finished work items of a pass that prepares the frame, such as the emission of photons. The
-    /// first call of a pass has `done` = 0, the last one `done` = `total`.
+    /// first call of a pass has `done` = 0. The later calls come from several threads, so `done` can decrease from one call
+    /// to the next. One of these calls, not always the last, has `done` = `total`; a cancelled pass can lack that call.
     fn preparing(&self, _pass: &'static str, _done: usize, _total: usize) {}
     /// True if the render must stop; the render asks at each sample and at every 64th surface that a ray hits.
     fn cancelled(&self) -> bool;

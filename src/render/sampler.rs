@@ -55,7 +55,7 @@ impl<'w> Sampler<'w> {
     #[inline]
     pub fn sample(&mut self, x_pixels: f64, y_pixels: f64) -> Radiance {
         let view = &self.camera.view;
-        let count = view.rays_per_point();
+        let count = view.max_mesh_rays_per_point();
         if count <= 1 {
             return view
                 .ray_at_pixel_position(x_pixels, y_pixels)

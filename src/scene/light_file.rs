@@ -61,10 +61,10 @@ pub struct LightFile {
 /// Reason for which a file of saved photons or radiosity samples is not used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightFileError {
-    /// POV-Ray wrote the file.
-    PovRay,
-    /// Another program wrote the file.
-    Foreign,
+    /// POV-Ray wrote the file of photons or radiosity samples, in a format that durer does not read.
+    WrittenByPovRay,
+    /// The file does not begin like a file of photons or radiosity samples that durer wrote.
+    NotWrittenByDurer,
     /// The file holds photons where radiosity samples are expected, or the other way round.
     OtherKind,
     /// The file has another version of the format.
@@ -151,7 +151,11 @@ impl LightFile {
     /// The reason for which the file is not used.
     pub fn parse(bytes: Vec<u8>, kind: LightKind) -> Result<Self, LightFileError> {
         let Some(rest) = bytes.strip_prefix(&MAGIC) else {
-            return Err(if is_of_povray(&bytes) { LightFileError::PovRay } else { LightFileError::Foreign });
+            return Err(if is_of_povray(&bytes) {
+                LightFileError::WrittenByPovRay
+            } else {
+                LightFileError::NotWrittenByDurer
+            });
         };
         match rest {
             [number, ..] if *number == kind.other().number() => return Err(LightFileError::OtherKind),
@@ -355,9 +359,12 @@ mod tests {
     #[test]
     fn files_of_povray_are_recognised() {
         let photons: Vec<u8> = [2, 0, 0, 0].into_iter().chain([7; 40]).chain([0; 4]).collect();
-        assert_eq!(LightFile::parse(photons, LightKind::Photons), Err(LightFileError::PovRay));
-        assert_eq!(LightFile::parse(b"C1\t3.4\t-1".to_vec(), LightKind::Radiosity), Err(LightFileError::PovRay));
-        assert_eq!(LightFile::parse(b"sphere".to_vec(), LightKind::Radiosity), Err(LightFileError::Foreign));
-        assert_eq!(LightFile::parse(vec![], LightKind::Photons), Err(LightFileError::Foreign));
+        assert_eq!(LightFile::parse(photons, LightKind::Photons), Err(LightFileError::WrittenByPovRay));
+        assert_eq!(
+            LightFile::parse(b"C1\t3.4\t-1".to_vec(), LightKind::Radiosity),
+            Err(LightFileError::WrittenByPovRay)
+        );
+        assert_eq!(LightFile::parse(b"sphere".to_vec(), LightKind::Radiosity), Err(LightFileError::NotWrittenByDurer));
+        assert_eq!(LightFile::parse(vec![], LightKind::Photons), Err(LightFileError::NotWrittenByDurer));
     }
 }

@@ -28,7 +28,7 @@ impl PreparedLight {
     /// # Errors
     /// The reason for which the file is not used.
     pub fn parse(bytes: &[u8]) -> Result<Self, LightFileError> {
-        let rest = bytes.strip_prefix(&MAGIC).ok_or(LightFileError::Foreign)?;
+        let rest = bytes.strip_prefix(&MAGIC).ok_or(LightFileError::NotWrittenByDurer)?;
         let mut rest = match rest {
             [KIND, VERSION, rest @ ..] => rest,
             [KIND, _, ..] => return Err(LightFileError::OtherVersion),
@@ -100,6 +100,6 @@ mod tests {
         }
         assert_eq!(PreparedLight::parse(&[&whole[..], &[0]].concat()), Err(LightFileError::Damaged));
         assert_eq!(PreparedLight::parse(&light(LightKind::Photons)), Err(LightFileError::OtherKind));
-        assert_eq!(PreparedLight::parse(b"sphere"), Err(LightFileError::Foreign));
+        assert_eq!(PreparedLight::parse(b"sphere"), Err(LightFileError::NotWrittenByDurer));
     }
 }

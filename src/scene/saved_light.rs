@@ -101,10 +101,10 @@ impl LoadedLight {
 /// Returns the reason for which a file is not used, as the rest of a sentence about the file.
 fn rejection_reason(error: LightFileError, kind: LightKind) -> String {
     match error {
-        LightFileError::PovRay => {
+        LightFileError::WrittenByPovRay => {
             format!("was saved by POV-Ray, and durer reads only {} that it saved", kind.plural_name())
         }
-        LightFileError::Foreign => format!("does not contain {}", kind.plural_name()),
+        LightFileError::NotWrittenByDurer => format!("does not contain {}", kind.plural_name()),
         LightFileError::OtherKind => format!("contains {}, not {}", kind.other().plural_name(), kind.plural_name()),
         LightFileError::OtherVersion => "was saved by another version of durer".into(),
         LightFileError::Damaged => "is damaged or cut off".into(),

@@ -71,9 +71,10 @@ impl Triangle {
         DVec3::new(l1, l2, 1.0 - l1 - l2)
     }
 
-    /// Returns the triangle with its last two corners in the order that decides its outside once it is transformed by M:
-    /// towards -x, +y or -z, whichever axis is closest to the normal in object space (quirk: `flat_triangle_sides`).
-    fn with_corners_ordered_for(&self, m: &Transform) -> Self {
+    /// Returns the triangle with its last two corners in the order by which its outside, once it is transformed by M, is
+    /// that of POV-Ray: towards -x, +y or -z, whichever axis is closest to the normal in object space (quirk:
+    /// `flat_triangle_sides`).
+    fn with_pov_outside_under(&self, m: &Transform) -> Self {
         let normal = self.face_normal();
         let axis = normal.abs().max_position();
         let is_outward = normal[axis] * [-1.0, 1.0, -1.0][axis] > 0.0;
@@ -142,7 +143,7 @@ impl Kernel for Triangle {
     }
 
     fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
-        let ordered = self.with_corners_ordered_for(m);
+        let ordered = self.with_pov_outside_under(m);
         (!m.is_identity() && ordered != *self).then(|| ordered.into())
     }
 

@@ -112,8 +112,8 @@ impl<'a> Sandboxed<'a> {
         Self { files, sandbox, written: Memory::default() }
     }
 
-    /// Returns the files that the scene wrote to memory, in alphabetical order.
-    pub fn written_in_memory(&self) -> Vec<PathBuf> {
+    /// Returns the paths of the files that the scene wrote to memory, in alphabetical order.
+    pub fn paths_written_in_memory(&self) -> Vec<PathBuf> {
         self.written.paths()
     }
 
@@ -391,7 +391,7 @@ mod tests {
         let other = folder.path().join("other.inc");
         files.write(&other, b"1").unwrap();
         assert!(files.exists(&other) && files.is_file(&other) && !other.exists());
-        assert_eq!(files.written_in_memory().len(), 2);
+        assert_eq!(files.paths_written_in_memory().len(), 2);
         assert_eq!(std::fs::read(&path).unwrap(), b"old ");
     }
 }

@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// Map from numbers to values, such as colours, in the order written; between two numbers their values are blended.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map<T> {
-    /// Entries of the map with the numbers at which they are placed; never empty.
+    /// Entries of the map in the order written, each with the number at which the entry is placed; never empty.
     pub entries: Vec<(f64, T)>,
 }
 

@@ -56,7 +56,7 @@ pub struct Language {
     pub random_media: bool,
     /// True if the `filter` of a texture's layer transmits light untinted where another layer is below.
     pub untinted_layers: bool,
-    /// True if the words of a camera take effect in their order.
+    /// True if each word of a camera takes effect where it is written, as before 3.5 (quirk: `camera_words_in_order`).
     pub ordered_cameras: bool,
     /// True if operators are allowed outside of parentheses.
     pub bare_operators: bool,

@@ -38,7 +38,7 @@ const STAGE: &str = "#include \"stage.inc\"\n";
 pub fn group() -> Group {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/src");
     let mut trials = vec![];
-    for page in durer::cli::manual::pages() {
+    for page in durer::cli::manual::generated_reference_pages() {
         let source = source.clone();
         trials.push(Trial::test(format!("manual::reference::{}", page.file), move || {
             reference(&source, page.file, &page.text)
@@ -103,7 +103,7 @@ fn in_summary(source: &Path) -> Result<(), Failed> {
 
 /// All words of tables in the code are in a row of a page other than the index.
 fn every_tabled_word() -> Result<(), Failed> {
-    let pages = durer::cli::manual::pages();
+    let pages = durer::cli::manual::generated_reference_pages();
     let printed = |word: &str| {
         let row = format!("| `{word}`");
         pages.iter().any(|page| page.file != "words.md" && page.text.contains(&row))
@@ -134,7 +134,7 @@ fn tabled_words() -> Vec<String> {
 
 /// All words that readers ask for by name are in the index.
 fn every_read_word() -> Result<(), Failed> {
-    let pages = durer::cli::manual::pages();
+    let pages = durer::cli::manual::generated_reference_pages();
     let index = pages.iter().find(|page| page.file == "words.md").map(|page| page.text.as_str()).unwrap_or_default();
     let told = |word: &str| index.contains(&format!("\n| `{word}` |"));
     let mut words = vec![];

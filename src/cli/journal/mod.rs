@@ -356,6 +356,7 @@ impl State {
         Some(numbers.as_chunks::<4>().0.to_vec())
     }
 
+    /// Appends a tile to the pending bytes, which are written from time to time; does nothing if no work has begun.
     fn store(&mut self, tile: Tile, pixels: &[[f32; 4]]) -> io::Result<()> {
         let is_first = self.write_header_if_new()?;
         let Some(key) = &self.key else { return Ok(()) };

@@ -9,7 +9,7 @@ mod words;
 
 use crate::value::{Spec, ValueKind, WordSpec};
 
-/// A generated page of the manual.
+/// A generated page of the manual's reference.
 #[derive(Debug)]
 pub struct Page {
     /// File name of the manual page in `docs/src/reference/`.
@@ -18,8 +18,8 @@ pub struct Page {
     pub text: String,
 }
 
-/// Returns all pages of the manual in their order.
-pub fn pages() -> Vec<Page> {
+/// Returns the generated pages of the manual's reference, in their order.
+pub fn generated_reference_pages() -> Vec<Page> {
     let page = |file, title: &str, body: String| Page { file, text: format!("{GENERATED}\n\n# {title}\n\n{body}") };
     vec![
         page("words.md", "Every word", words::words_page()),

@@ -2,7 +2,7 @@
 
 use super::{in_backticks, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};
-use crate::reference::{ELSEWHERE, entries};
+use crate::reference::{ELSEWHERE, documented_blocks};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::WordSpec;
 use crate::value::words::TRANSFORMS;
@@ -41,7 +41,7 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 }
 
 fn add_block_words(index: &mut Index) {
-    for entry in entries() {
+    for entry in documented_blocks() {
         let (spec, place) = (entry.spec, entry.link());
         if let Some(family) = entry.family {
             add(index, spec.name, &format!("[a {family}]({}#{})", entry.page, spec.name));

@@ -59,9 +59,9 @@ fn accepts_povray_options(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 
-/// True if the subcommand of durer takes the long option `durer_word`, such as `--width=640`, and for every word that is
-/// no long option. The subcommands `check` and `pick` lack the options for pictures.
-pub fn subcommand_takes_option(subcommand: &str, durer_word: &str) -> bool {
+/// True if `durer_word` is a long option that the subcommand of durer takes, such as `--width=640`, or is no
+/// long option. The subcommands `check` and `pick` lack the options for pictures.
+pub fn subcommand_accepts_word(subcommand: &str, durer_word: &str) -> bool {
     let all = commands();
     let name = durer_word.split('=').next().and_then(|word| word.strip_prefix("--"));
     let own = all.find_subcommand(subcommand).into_iter().flat_map(Command::get_arguments);
@@ -134,7 +134,7 @@ impl Translation<'_> {
         let options =
             self.take_option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
         let options = options
-            .filter(|own| subcommand_takes_option(command.get_name(), &own.name) && !is_set(&own.name))
+            .filter(|own| subcommand_accepts_word(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
         let words =

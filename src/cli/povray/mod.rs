@@ -359,7 +359,7 @@ impl<'s> Translation<'s> {
         }
         self.translate_text_stream_options();
         let options = self.take_option_words(self.any_switch);
-        let known = |word: &OsString| mixed::subcommand_takes_option(&command, &word.to_string_lossy());
+        let known = |word: &OsString| mixed::subcommand_accepts_word(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
         let mut words = vec![program, command.into()];
         words.extend(options);

@@ -52,7 +52,7 @@ pub struct Settings {
     pub created_ini: Option<String>,
     /// True to append to text files (`Append_File`).
     pub appends_text: bool,
-    /// Path of the file of radiosity samples; `None` for the default.
+    /// Path of the file of radiosity samples (`Radiosity_File_Name`); `None` for `object.rca`.
     pub radiosity_file: Option<String>,
     pub loads_radiosity: bool,
     pub saves_radiosity: bool,

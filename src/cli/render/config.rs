@@ -102,7 +102,7 @@ impl Config {
         };
         let mut reading = session::reading_options(&args.scene, &input, timing);
         if args.dump.is_none() && cancel.is_none() {
-            session::allow_writing(&mut reading, &args.scene, &input);
+            session::allow_writing_below_current_folder(&mut reading, &args.scene, &input);
         }
         Ok(Self {
             input,

@@ -50,7 +50,9 @@ pub fn use_prepared_light(world: &mut World, path: &Path, options: &render::Opti
     };
     let bytes = Disk.read(path).map_err(|error| file::unreadable(&Disk, path, &error.into()))?;
     let PreparedLight { photons, radiosity } = PreparedLight::parse(&bytes).map_err(|error| match error {
-        LightFileError::Foreign | LightFileError::PovRay => unreadable("was not written by `durer prepare`"),
+        LightFileError::NotWrittenByDurer | LightFileError::WrittenByPovRay => {
+            unreadable("was not written by `durer prepare`")
+        }
         LightFileError::OtherKind => unreadable("was saved by a scene; its `load_file` reads the file"),
         LightFileError::OtherVersion => unreadable("was written by another version of durer"),
         LightFileError::Damaged => unreadable("is damaged or cut off"),
@@ -87,16 +89,22 @@ fn saved_photons_and_radiosity(world: &mut World) -> [Option<&mut SavedLight>; 2
 /// Kinds of light in the order of their computation.
 const LIGHT_KINDS: [LightKind; 2] = [LightKind::Photons, LightKind::Radiosity];
 
-/// True if light is loaded that the computation with this digest has saved.
-fn loaded_light_is_current(saved: &SavedLight, digest: Option<Digest>) -> bool {
-    let computation = saved.loaded.as_ref().map(|loaded| loaded.file.header.computation);
-    computation.is_some() && computation == digest
+/// True if light is loaded that the computation with this digest has saved; false if the digest is `None`, since it was
+/// not computed.
+fn loaded_light_matches_computation(saved: &SavedLight, computation: Option<Digest>) -> bool {
+    let computation_of_loaded = saved.loaded.as_ref().map(|loaded| loaded.file.header.computation);
+    computation_of_loaded.is_some() && computation_of_loaded == computation
 }
 
 /// Loads light from a journal, if the computation with this digest has stored the light whole. Returns true if it is loaded.
-fn try_load_from_journal(saved: &mut SavedLight, journal: &Journal, kind: LightKind, digest: Option<Digest>) -> bool {
+fn try_load_from_journal(
+    saved: &mut SavedLight,
+    journal: &Journal,
+    kind: LightKind,
+    computation: Option<Digest>,
+) -> bool {
     let file = journal.load_light(kind).and_then(|bytes| LightFile::parse(bytes, kind).ok());
-    let Some(file) = file.filter(|file| Some(file.header.computation) == digest) else { return false };
+    let Some(file) = file.filter(|file| Some(file.header.computation) == computation) else { return false };
     let name = journal.path().to_string_lossy().into_owned();
     saved.loaded = Some(LoadedLight { file, name, source: Span::NONE });
     true
@@ -157,7 +165,8 @@ impl LightSaver {
         let mut kinds = vec![];
         for ((kind, saved), digest) in LIGHT_KINDS.into_iter().zip(saved_photons_and_radiosity(world)).zip(digests) {
             let Some(saved) = saved else { continue };
-            if !loaded_light_is_current(saved, digest) && !try_load_from_journal(saved, journal, kind, digest) {
+            if !loaded_light_matches_computation(saved, digest) && !try_load_from_journal(saved, journal, kind, digest)
+            {
                 let file = SaveFile { kind, path: journal.path().to_path_buf(), source: Span::NONE };
                 kinds.push((kind, saved.save.replace(file)));
             }

@@ -32,7 +32,7 @@ use target::{Target, is_folder};
 
 /// Inputs of a render that its command-line arguments do not contain.
 #[derive(Default)]
-pub struct Context {
+pub struct RenderContext {
     /// Animation that POV-Ray's options request.
     pub animation: Option<Animation>,
     /// INI files that contributed to the command line.
@@ -54,7 +54,7 @@ struct Done {
 
 /// Renders each scene: one picture, or one per frame. Writes the file of `--deps`, and also returns the files that were
 /// looked up, even on failure.
-pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, LookedUpFiles) {
+pub fn run(console: &Console, args: &RenderArgs, context: RenderContext) -> (Result, LookedUpFiles) {
     let files = LookedUpFiles { read: context.ini_files.clone(), ..LookedUpFiles::default() };
     let mut done = Done { files, ..Done::default() };
     let exit = render_all(console, args, &context, &mut done);
@@ -68,7 +68,7 @@ pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, L
     (written.and(exit), done.files)
 }
 
-fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mut Done) -> Result {
+fn render_all(console: &Console, args: &RenderArgs, context: &RenderContext, done: &mut Done) -> Result {
     let inputs = Inputs::collect(&args.inputs)?;
     if !inputs.several {
         let mut render = |input| render_scene(console, args, context, input, done).map(|(exit, _)| exit);
@@ -126,7 +126,7 @@ fn check_scene_outputs_differ(args: &RenderArgs, inputs: &[PathBuf]) -> Result<(
 fn render_scene(
     console: &Console,
     args: &RenderArgs,
-    context: &Context,
+    context: &RenderContext,
     input: &Path,
     done: &mut Done,
 ) -> Result<(Exit, String)> {
@@ -140,7 +140,7 @@ fn render_with(
     console: &Console,
     sources: &Sources,
     args: &RenderArgs,
-    context: &Context,
+    context: &RenderContext,
     input: &Path,
     done: &mut Done,
 ) -> Result<(Exit, String)> {

@@ -64,7 +64,11 @@ fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
             if let Err(fault) = refuse_device_or_pipe(&input) {
                 return (Err(fault.into()), LookedUpFiles::default());
             }
-            render::run(&console_of_work, &render_args, render::Context { cancel: Some(token), ..Default::default() })
+            render::run(
+                &console_of_work,
+                &render_args,
+                render::RenderContext { cancel: Some(token), ..Default::default() },
+            )
         };
         let Some((rendered, looked_up)) = worker.run(&cancel, work) else {
             if let Some(signal) = interrupt::received_end_signal() {

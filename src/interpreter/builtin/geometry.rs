@@ -48,7 +48,7 @@ impl<'a> Interpreter<'a> {
     fn assign_to_argument(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
             ArgumentForm::Name(symbol) if self.evaluator.is_declared(*symbol) => {
-                self.evaluator.scopes_mut().set_innermost_or_global(*symbol, Slot::Value(value), vec![]);
+                self.evaluator.scopes_mut().rebind_innermost_or_add_global(*symbol, Slot::Value(value), vec![]);
                 Ok(())
             }
             ArgumentForm::LValue(lvalue) => {

@@ -39,7 +39,7 @@ impl<'a> Interpreter<'a> {
             let slot = Slot::Value(Value::Float(x));
             match declare.local {
                 true => self.evaluator.scopes_mut().set_local(target.symbol, slot, vec![]),
-                false => self.evaluator.scopes_mut().set_innermost_or_global(target.symbol, slot, vec![]),
+                false => self.evaluator.scopes_mut().rebind_innermost_or_add_global(target.symbol, slot, vec![]),
             }
             return Ok(());
         }
@@ -275,7 +275,9 @@ impl<'a> Interpreter<'a> {
                 self.evaluator.scopes_mut().set_at_level(declared.symbol, level, slot, first_use_warnings);
             }
             None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, first_use_warnings),
-            None => self.evaluator.scopes_mut().set_innermost_or_global(declared.symbol, slot, first_use_warnings),
+            None => {
+                self.evaluator.scopes_mut().rebind_innermost_or_add_global(declared.symbol, slot, first_use_warnings)
+            }
         }
     }
 

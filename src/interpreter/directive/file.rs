@@ -59,10 +59,14 @@ impl<'a> Interpreter<'a> {
         };
         // Uses of a file that could not be opened are no further faults.
         let file = file.inspect_err(|_| {
-            self.evaluator.scopes_mut().set_innermost_or_global(symbol, Slot::Faulty(Rc::default()), vec![])
+            self.evaluator.scopes_mut().rebind_innermost_or_add_global(symbol, Slot::Faulty(Rc::default()), vec![])
         })?;
         self.open_files.push(file);
-        self.evaluator.scopes_mut().set_innermost_or_global(symbol, Slot::File(self.open_files.len() - 1), vec![]);
+        self.evaluator.scopes_mut().rebind_innermost_or_add_global(
+            symbol,
+            Slot::File(self.open_files.len() - 1),
+            vec![],
+        );
         Ok(())
     }
 
@@ -191,7 +195,11 @@ impl<'a> Interpreter<'a> {
             }
             let value = self.value_and_has_more(index, span);
             if let (Err(_), ArgumentForm::Name(symbol)) = (&value, &target.given) {
-                self.evaluator.scopes_mut().set_innermost_or_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
+                self.evaluator.scopes_mut().rebind_innermost_or_add_global(
+                    *symbol,
+                    Slot::Faulty(Rc::default()),
+                    vec![],
+                );
             }
             let Some((value, follows)) = value? else {
                 more = false;
@@ -199,7 +207,7 @@ impl<'a> Interpreter<'a> {
             };
             match &target.given {
                 ArgumentForm::Name(symbol) => {
-                    self.evaluator.scopes_mut().set_innermost_or_global(*symbol, Slot::Value(value), vec![])
+                    self.evaluator.scopes_mut().rebind_innermost_or_add_global(*symbol, Slot::Value(value), vec![])
                 }
                 ArgumentForm::LValue(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
                 ArgumentForm::Slot(_) => {

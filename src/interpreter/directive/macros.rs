@@ -19,7 +19,7 @@ impl<'a> Interpreter<'a> {
             let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name after `#macro`, found {found}"));
             return d.help("`#macro Name(A, B) … #end`").into();
         }
-        self.evaluator.scopes_mut().set_innermost_or_global(definition.name, Slot::Macro(definition), vec![]);
+        self.evaluator.scopes_mut().rebind_innermost_or_add_global(definition.name, Slot::Macro(definition), vec![]);
         Ok(())
     }
 

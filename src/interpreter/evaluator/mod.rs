@@ -52,7 +52,7 @@ impl<'a> Evaluator<'a> {
         for (name, value) in &inputs.options.declares {
             let value =
                 crate::value::parse_value(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
-            scopes.set_innermost_or_global(inputs.names.intern(name), Slot::Value(value), vec![]);
+            scopes.rebind_innermost_or_add_global(inputs.names.intern(name), Slot::Value(value), vec![]);
         }
         Self {
             inputs,
@@ -145,7 +145,7 @@ impl<'a> Evaluator<'a> {
             return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
         };
         let next = value + step;
-        self.scopes.set_innermost_or_global(counter, Slot::Value(Value::Float(next)), vec![]);
+        self.scopes.rebind_innermost_or_add_global(counter, Slot::Value(Value::Float(next)), vec![]);
         Ok(is_in_loop(next, last, step))
     }
 

@@ -278,7 +278,12 @@ impl<'a> Scopes<'a> {
 
     /// Changes the innermost binding of a name, or the location that it is an alias of, as `#declare` does. A name
     /// without a binding gets a global one.
-    pub fn set_innermost_or_global(&mut self, symbol: Symbol, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+    pub fn rebind_innermost_or_add_global(
+        &mut self,
+        symbol: Symbol,
+        slot: Slot<'a>,
+        first_use_warnings: Vec<Diagnostic>,
+    ) {
         match self.symbol_binding_and_path(symbol) {
             Some((symbol, binding_index, None)) => self.rebind(symbol, binding_index, slot, first_use_warnings),
             Some((symbol, binding_index, Some(path))) => {

@@ -129,9 +129,9 @@ impl<'a> Interpreter<'a> {
     /// Evaluates and consumes an expression and the `;` after it, and returns its number; consumes nothing and returns
     /// `None` if the two do not come next or the fast evaluation gives no number.
     pub fn take_number_and_semicolon(&mut self) -> Option<f64> {
-        let e = self.stream.expression_statement().filter(|e| !e.has_bare_condition())?;
+        let e = self.stream.expression_before_semicolon().filter(|e| !e.has_bare_condition())?;
         let x = self.evaluator.quick_number(e)?;
-        self.stream.skip_expression_statement();
+        self.stream.skip_expression_and_semicolon();
         Some(x)
     }
 }

@@ -135,7 +135,8 @@ impl<'a> Reporter<'a> {
             self.report(fault);
         }
         self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
-        self.add_places_and_unreported();
+        self.add_all_uses_of_missing_names();
+        self.add_count_of_unreported_errors();
     }
 
     /// Returns all diagnostics, and the branches that never ran.

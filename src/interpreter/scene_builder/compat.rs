@@ -45,7 +45,7 @@ pub fn has_untinted_layers(version: u32) -> bool {
     version <= 310
 }
 
-/// True if the words of a camera take effect in their order (quirk: `camera_words_in_order`).
+/// True if each word of a camera takes effect where it is written (quirk: `camera_words_in_order`).
 pub fn has_ordered_cameras(version: u32) -> bool {
     version < 350
 }

@@ -198,16 +198,16 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the expression that comes next, if a `;` follows the expression.
     #[inline]
-    pub(super) fn expression_statement(&self) -> Option<&'a Expr> {
+    pub(super) fn expression_before_semicolon(&self) -> Option<&'a Expr> {
         match self.frames.last()?.unread() {
             [Element { kind: ElementKind::Expr(e), .. }, Element { kind: ElementKind::Semicolon, .. }, ..] => Some(e),
             _ => None,
         }
     }
 
-    /// Consumes the expression and the `;` that [`Self::expression_statement`] found.
+    /// Consumes the expression and the `;` that [`Self::expression_before_semicolon`] found.
     #[inline]
-    pub(super) fn skip_expression_statement(&mut self) {
+    pub(super) fn skip_expression_and_semicolon(&mut self) {
         self.look_ahead = None;
         if let Some(frame) = self.frames.last_mut() {
             frame.at += 2;

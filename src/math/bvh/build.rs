@@ -64,7 +64,7 @@ struct Build<F> {
 struct BinaryNode {
     /// Indices of the node's two halves; for an item, the range of its boxes.
     parts: [u32; 2],
-    /// Number of items in the subtree of the node.
+    /// Number of items in the subtree of the node; an item can be a pack of several boxes.
     items: u32,
     /// For 2, 3, … 8 children of a wide BVH node: how many of them the first half receives at the least cost; 0 if
     /// fewer children cost less.

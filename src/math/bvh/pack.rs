@@ -39,7 +39,7 @@ impl Pack {
         triangles.flatten().all(|p| find_or_add_corner(&mut corners, &mut len, p).is_some())
     }
 
-    /// Packs the triangles with these indices, at most [`Pack::MANY`].
+    /// Packs the triangles with these indices, for which [`Pack::fit_in_pack`] must be true.
     pub fn new(indices: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
         let mut corners = [[0.0; 3]; MANY];
         let mut numbers = [[[0; HALF]; 2]; 3];

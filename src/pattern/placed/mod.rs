@@ -209,7 +209,8 @@ impl Pattern {
     }
 }
 
-/// Reads the argument of a pattern's `noise_generator`; 0, where `least` allows it, is the scene's generator.
+/// Reads the argument of a pattern's `noise_generator`: a number from `least` to below 4, whose fraction is ignored. `None`
+/// below 1, for the scene's generator.
 ///
 /// # Errors
 /// A diagnostic at the item that is not understood.

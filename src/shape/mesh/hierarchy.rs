@@ -181,9 +181,10 @@ impl TriangleHierarchy {
         mapped.map_or(DVec2::ZERO, |numbers| self.interpolate_corners(hit, numbers.map(|i| self.lists.uvs[i as usize])))
     }
 
-    /// Numbers of the textures at the corners of the mesh's triangle that was hit, or of the materials of a mesh file,
-    /// counted from 1; `None` without any. The first can have the flag `EACH_CORNER`.
-    pub fn corner_textures(&self, hit: &Hit) -> Option<[u32; 3]> {
+    /// Texture numbers, or material numbers of a mesh file, at the corners of the mesh's triangle that was hit: from 1 on,
+    /// or 0 for the object's own texture. `None` for a mesh without textured triangles. Three equal numbers that were given
+    /// for each corner have the flag `EACH_CORNER` in the first.
+    pub fn corner_texture_numbers(&self, hit: &Hit) -> Option<[u32; 3]> {
         Self::triangle_indices(&self.lists.painted, hit.part as usize)
     }
 }

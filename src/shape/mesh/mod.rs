@@ -39,7 +39,7 @@ impl TriangleMesh {
     }
 
     fn texture_weights(&self, hit: &Hit) -> TextureWeights {
-        let Some(painted) = self.triangles.corner_textures(hit) else { return smallvec![(0, 1.0)] };
+        let Some(painted) = self.triangles.corner_texture_numbers(hit) else { return smallvec![(0, 1.0)] };
         let each = painted[0] & EACH_CORNER != 0;
         let [a, b, c] = painted.map(|number| number & !EACH_CORNER).map(|number| match number.checked_sub(1) {
             Some(material) if !self.texture_numbers.is_empty() => self.texture_numbers[material as usize],

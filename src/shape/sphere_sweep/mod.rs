@@ -109,26 +109,27 @@ impl SphereSweep {
         Self { kind, pieces, bvh, bounds, pov_bounds }
     }
 
-    /// Returns the intervals of a ray that the sphere sweep covers, ascending and without overlaps. If the range starts
-    /// outside of everything, with `only_first` only the first interval is correct.
-    fn covered_intervals(&self, ray: &Ray, range: Range, only_first: bool) -> Covers {
+    /// Returns the intervals of a ray that the sphere sweep covers, ascending and without overlaps: those that overlap
+    /// `search_range`, not cut off at its ends, and possibly others. With `only_first_ahead`, if the range starts outside of
+    /// the sweep, only the first interval that begins in the range is correct.
+    fn uncut_intervals_near(&self, ray: &Ray, search_range: Range, only_first_ahead: bool) -> Covers {
         let length = ray.dir.length();
         let line = Line { o: ray.origin, v: ray.dir / length };
         let mut all: SmallVec<[[Hit; 2]; 8]> = SmallVec::new();
         let mut starts_inside = false;
-        self.bvh.traverse(ray, range, |i, mut max| {
+        self.bvh.traverse(ray, search_range, |i, mut max| {
             self.pieces[i].visit_covered(&line, &mut |cover| {
                 let ends = cover.map(|(s, at)| Hit { t: s / length, part: i as u32, uv: DVec2::new(at, 0.0) });
-                let is_ahead = ends[0].t > range.min;
-                starts_inside |= !is_ahead && ends[1].t > range.min;
+                let is_ahead = ends[0].t > search_range.min;
+                starts_inside |= !is_ahead && ends[1].t > search_range.min;
                 // The first interval hides what is behind.
-                max = if only_first && is_ahead { max.min(ends[0].t) } else { max };
+                max = if only_first_ahead && is_ahead { max.min(ends[0].t) } else { max };
                 all.push(ends);
             });
-            if only_first && starts_inside { ControlFlow::Break(()) } else { ControlFlow::Continue(max) }
+            if only_first_ahead && starts_inside { ControlFlow::Break(()) } else { ControlFlow::Continue(max) }
         });
-        if only_first && starts_inside {
-            return self.covered_intervals(ray, range, false);
+        if only_first_ahead && starts_inside {
+            return self.uncut_intervals_near(ray, search_range, false);
         }
         all.sort_unstable_by(|a, b| a[0].t.total_cmp(&b[0].t));
         let mut merged = Covers::new();
@@ -218,12 +219,12 @@ impl Kernel for SphereSweep {
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         // (The whole line, because an interval before the range can extend into it.)
-        let ends = self.covered_intervals(ray, Range::ALL, false).into_iter().flatten();
+        let ends = self.uncut_intervals_near(ray, Range::ALL, false).into_iter().flatten();
         out.extend(ends.filter(|hit| range.contains(hit.t)));
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.covered_intervals(ray, range, true).into_iter().flatten().find(|hit| range.contains(hit.t))
+        self.uncut_intervals_near(ray, range, true).into_iter().flatten().find(|hit| range.contains(hit.t))
     }
 
     fn inside(&self, p: DVec3) -> bool {

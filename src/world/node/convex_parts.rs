@@ -25,6 +25,7 @@ impl SolidNode {
         }
     }
 
+    /// True if the ray hits, in the range, the surface of an intersection or merge.
     pub(super) fn any_of_convex_parts(&self, ray: &Ray, range: Range) -> bool {
         let mut is_hit = false;
         let found = self.visit_unclipped_ends(ray, range, |_, _| {

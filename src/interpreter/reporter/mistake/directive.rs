@@ -42,7 +42,7 @@ pub(super) fn define_directive(source: &SourceLine, d: &Diagnostic) -> Option<Co
             format!("write `#declare {name} = {};`", shortened_value(rest.trim_start().trim_start_matches('=')))
         }
     };
-    Some(CommonMistake::with_help(help).with_undeclared_name(name))
+    Some(CommonMistake::with_help(help).leaving_undeclared(name))
 }
 
 /// Recognizes the mistake `#elsif (A)` for `#elseif`.
@@ -66,7 +66,7 @@ pub(super) fn assignment_after_hash(source: &SourceLine, d: &Diagnostic) -> Opti
     let value = rest.trim_start().strip_prefix('=')?;
     Some(
         CommonMistake::with_help(format!("write `#declare {name} = {};`", shortened_value(value)))
-            .with_undeclared_name(name),
+            .leaving_undeclared(name),
     )
 }
 
@@ -91,7 +91,7 @@ pub(super) fn misspelt_directive(source: &SourceLine, d: &Diagnostic) -> Option<
     let loses_directive = matches!(d.help.as_deref(), Some(help) if ["#macro", "#if", "#for", "#while", "#switch"].iter().any(|w| help.contains(w)));
     let habit = CommonMistake { loses_directive, ..habit };
     Some(match split_leading_name(rest) {
-        Some((name, _)) => habit.with_undeclared_name(name),
+        Some((name, _)) => habit.leaving_undeclared(name),
         None => habit,
     })
 }
@@ -134,7 +134,7 @@ pub(super) fn c_style_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonM
     let start = source.trimmed_line_offset_in_file();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
-    Some(habit.code(codes::SYNTAX).with_undeclared_name(counter))
+    Some(habit.code(codes::SYNTAX).leaving_undeclared(counter))
 }
 
 /// Recognizes the mistake `#include colors.inc`, a file name without quotes.
@@ -201,8 +201,8 @@ pub(super) fn directive_without_hash(source: &SourceLine, d: &Diagnostic) -> Opt
         _ => return None,
     };
     let named = matches!(word, "macro" | "def" | "func" | "fn" | "proc" | "sub" | "local");
-    let names =
+    let names_left_undeclared =
         typed.split(|c: char| !is_name_char(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
-    Some(CommonMistake { names, loses_directive, ..habit.range(range).code(codes::UNKNOWN_DIRECTIVE) })
+    Some(CommonMistake { names_left_undeclared, loses_directive, ..habit.range(range).code(codes::UNKNOWN_DIRECTIVE) })
 }

@@ -18,7 +18,7 @@ pub(super) struct CommonMistake {
     /// Text of the help for the recognized mistake.
     pub(super) help: String,
     /// Names that stay undeclared because of the mistake.
-    pub(super) names: Vec<String>,
+    pub(super) names_left_undeclared: Vec<String>,
     /// Include file that was not read because of the mistake.
     pub(super) file: Option<String>,
     /// True if a directive with a body was meant, so that its `#end` is surplus.
@@ -46,8 +46,9 @@ impl CommonMistake {
         self
     }
 
-    pub(super) fn with_undeclared_name(mut self, name: &str) -> Self {
-        self.names.push(name.into());
+    /// Records that the mistake leaves `name` undeclared, so that errors about later uses of the name are suppressed.
+    pub(super) fn leaving_undeclared(mut self, name: &str) -> Self {
+        self.names_left_undeclared.push(name.into());
         self
     }
 

@@ -27,7 +27,7 @@ impl Reporter<'_> {
     }
 
     /// Completes a message with all uses of its missing names, those in the author's own file first.
-    pub(super) fn with_all_places(&self, mut d: Diagnostic) -> Diagnostic {
+    pub(super) fn with_all_uses_of_missing_names(&self, mut d: Diagnostic) -> Diagnostic {
         let Some(mut missing_names) = d.missing_names.take() else { return d };
         missing_names.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
         let Some((name, first)) = missing_names.uses.first().cloned() else { return d };

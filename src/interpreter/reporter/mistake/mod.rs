@@ -23,7 +23,7 @@ use source_line::{SourceLine, split_leading_name};
 #[derive(Default)]
 pub(super) struct Mistakes {
     /// Names that stay undeclared because of earlier errors.
-    names: FxHashSet<String>,
+    names_left_undeclared: FxHashSet<String>,
     /// Keywords that the scene used as names.
     words: FxHashSet<String>,
     /// Include files that were not read, each with the file that includes it.
@@ -79,7 +79,7 @@ impl Reporter<'_> {
 
     /// Records the names and files that a common mistake leaves undeclared or unread.
     fn record_common_mistake(&mut self, habit: &CommonMistake, file: FileId) {
-        self.mistakes.names.extend(habit.names.iter().cloned());
+        self.mistakes.names_left_undeclared.extend(habit.names_left_undeclared.iter().cloned());
         self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;
     }
@@ -92,7 +92,7 @@ impl Reporter<'_> {
         if let Some(("declare" | "local" | "macro", rest)) = directive
             && let Some((name, _)) = split_leading_name(rest.trim_start())
         {
-            self.mistakes.names.insert(name.to_string());
+            self.mistakes.names_left_undeclared.insert(name.to_string());
         }
         match d.code {
             codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE if matches!(directive, Some(("include", _))) => {
@@ -129,13 +129,17 @@ impl Reporter<'_> {
             // includes it.
             false => *includer == using_file && library::standard_file_of(name).is_none(),
         };
-        self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
+        self.mistakes.names_left_undeclared.contains(name) || self.mistakes.files.iter().any(gives)
     }
 
-    /// Completes the messages at the end of the run, and adds the number of errors that were not reported.
-    pub fn add_places_and_unreported(&mut self) {
+    /// Completes each message about missing names with all uses of the names, at the end of the run.
+    pub fn add_all_uses_of_missing_names(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
-        self.diagnostics = all.into_iter().map(|d| self.with_all_places(d)).collect();
+        self.diagnostics = all.into_iter().map(|d| self.with_all_uses_of_missing_names(d)).collect();
+    }
+
+    /// Adds a diagnostic with the number of errors that were not reported, if there are any.
+    pub fn add_count_of_unreported_errors(&mut self) {
         let unreported = self.mistakes.unreported.len();
         if let Some(first) = self.mistakes.first_unreported {
             let more = if unreported == 1 {

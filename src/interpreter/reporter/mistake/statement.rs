@@ -23,7 +23,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     let habit =
         CommonMistake::with_help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
     let habit = habit.message(format!("`{name}(…) = …` defines no function")).range(sign..sign + 1);
-    is_list.then(|| habit.code(codes::SYNTAX).with_undeclared_name(name))
+    is_list.then(|| habit.code(codes::SYNTAX).leaving_undeclared(name))
 }
 
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
@@ -54,7 +54,7 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Comm
     let start = source.trimmed_line_offset_in_file();
     let habit = CommonMistake::with_help(format!("write `#declare {name} = {};`", shortened_value(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).range(start..start + kind.len());
-    Some(habit.code(codes::SYNTAX).with_undeclared_name(name))
+    Some(habit.code(codes::SYNTAX).leaving_undeclared(name))
 }
 
 /// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
@@ -68,7 +68,7 @@ pub(super) fn assignment_without_declare(source: &SourceLine, d: &Diagnostic) ->
         shortened_value(value)
     ));
     let habit = habit.message("`=` is not allowed here").range(sign..sign + 1);
-    inside.then(|| habit.code(codes::SYNTAX).with_undeclared_name(name))
+    inside.then(|| habit.code(codes::SYNTAX).leaving_undeclared(name))
 }
 
 /// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
