@@ -25,7 +25,9 @@ SIZE = (120, 90)
 def instructions(durer, scene):
     """The number of instructions of one render, in millions."""
     with tempfile.TemporaryDirectory() as folder:
-        draw = [durer, f"+I{scene}", f"+O{folder}/out.png", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "+A0.3", "+WT1", "-D"]
+        # (Without a journal, whose beginning depends on time.)
+        options = ["--size", f"{SIZE[0]}x{SIZE[1]}", "--aa", "0.3", "--threads", "1", "--keep-after", "1e9"]
+        draw = [durer, "render", str(scene), "--output", f"{folder}/out.png", *options]
         count = ["valgrind", "--tool=cachegrind", "--cache-sim=no", f"--cachegrind-out-file={folder}/counts", *draw]
         done = subprocess.run(count, cwd=scene.parent, capture_output=True, text=True)
         found = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
