@@ -60,7 +60,7 @@ impl Default for Camera {
 
 impl Camera {
     /// Reads the items of a `camera` block; `source` is the span of its word, `start` the camera whose properties it starts
-    /// from (quirk: `default_camera`), `default_texture` the texture that its `normal` starts from, and `mesh` reads the meshes
+    /// from (quirk: `default_camera`; a lecture camera gives none), `default_texture` the texture that its `normal` starts from, and `mesh` reads the meshes
     /// of a mesh camera.
     ///
     /// # Errors

@@ -50,6 +50,8 @@ pub(super) struct ShadowSegments {
     pub has_air: bool,
     /// True if the scene has interiors with media.
     pub has_media: bool,
+    /// True if media of the whole scene attenuate the light in solid interiors, too (quirk: `media_in_solid_shadow`).
+    pub scene_media_in_solids: bool,
 }
 
 impl<'w> Tracer<'w> {
@@ -86,10 +88,14 @@ impl<'w> Tracer<'w> {
         inside: &Interiors,
         segments: &ShadowSegments,
     ) -> Rgb {
-        if !segments.has_air && !segments.has_media || self.has_filled_interior(inside) {
+        if !segments.has_air && !segments.has_media {
             return Rgb::ONE;
         }
         let context = SegmentContext { inside, light_set: 0, bounces: 0, is_shadow: true };
+        if self.has_filled_interior(inside) {
+            let attenuates = segments.has_air && segments.scene_media_in_solids;
+            return if attenuates { self.air_media_segment(ray, span, &context).transmittance } else { Rgb::ONE };
+        }
         let mut transmittance = Rgb::ONE;
         if segments.has_air {
             transmittance *= self.air_segment(ray, span, &context).transmittance;
@@ -98,22 +104,6 @@ impl<'w> Tracer<'w> {
             transmittance *= self.interior_media_segment(ray, span, &context).transmittance;
         }
         transmittance
-    }
-
-    /// Returns the transmittance of air and media along a span of a shadow ray that ends at a surface. Media of the whole
-    /// scene attenuate it in solid interiors, too (quirk: `media_in_solid_shadow`).
-    pub(super) fn shadow_transmittance_to_surface(
-        &mut self,
-        ray: &Ray,
-        span: &Span,
-        inside: &Interiors,
-        segments: &ShadowSegments,
-    ) -> Rgb {
-        if segments.has_air && self.has_filled_interior(inside) {
-            let context = SegmentContext { inside, light_set: 0, bounces: 0, is_shadow: true };
-            return self.air_media_segment(ray, span, &context).transmittance;
-        }
-        self.shadow_span_transmittance(ray, span, inside, segments)
     }
 
     /// True if any interior of the list is not hollow, so that neither air nor media are inside.

@@ -115,7 +115,7 @@ impl Tracer<'_> {
             add_filtering_surfaces(world, ray, range, &filters, &mut surfaces);
         }
         if world.colors_light || has_air || has_media {
-            let segments = ShadowSegments { distance, has_air, has_media };
+            let segments = ShadowSegments { distance, has_air, has_media, scene_media_in_solids: true };
             return self.segmented_transmittance(ray, &surfaces, copy_interiors(inside), segments);
         }
         let mut transmittance = Rgb::ONE;
@@ -136,12 +136,12 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
         for hit in surfaces {
-            transmittance *= self.shadow_transmittance_to_surface(ray, &Span::new(from, hit.t()), &inside, &segments);
+            transmittance *= self.shadow_span_transmittance(ray, &Span::new(from, hit.t()), &inside, &segments);
             transmittance *= self.transmittance_crossing_surface(ray, hit, from, &mut inside);
             from = hit.t();
         }
         // Media of interiors end at surfaces: a light inside of a medium is not attenuated (quirk: `light_inside_media`).
-        let last = ShadowSegments { has_media: false, ..segments };
+        let last = ShadowSegments { has_media: false, scene_media_in_solids: false, ..segments };
         transmittance * self.shadow_span_transmittance(ray, &Span::new(from, last.distance), &inside, &last)
     }
 

@@ -122,6 +122,7 @@ impl<'w> Tracer<'w> {
             distance: hit.t(),
             has_air: beam.light.emitter.attenuated && self.has_air(),
             has_media: self.has_media(),
+            scene_media_in_solids: false,
         };
         let ray = flight.state.ray;
         let transmittance =
@@ -193,7 +194,8 @@ impl<'w> Tracer<'w> {
         let n = (length / step).ceil().clamp(1.0, f64::from(settings.media_steps)) as u32;
         let step = length / f64::from(n);
         let random = self.random.sequence(super::super::random::Purpose::Media);
-        let segments = ShadowSegments { distance: length, has_air: false, has_media: true };
+        let segments =
+            ShadowSegments { distance: length, has_air: false, has_media: true, scene_media_in_solids: false };
         let ray: Ray = state.ray;
         let (mut from, mut transmittance) = (0.0, Rgb::ONE);
         for i in 0..n {

@@ -1,6 +1,7 @@
 //! Lowering: converts the scene as written to the data that rays need. Each shape gets one transform, the parts of a
 //! group inherit its properties, and shared textures are lowered once.
 
+mod cutaway;
 mod inherited;
 mod instances;
 mod lights;
@@ -26,7 +27,7 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use inherited::{Inherited, combined_flags, hollow_of_last_shape, interior_of};
 use instances::Copies;
-use place::{BlockSpace, PlacedTexture, not_finite_error};
+use place::{PlacedTexture, not_finite_error};
 use shared::{LoweredTable, SharedSurfaceParts};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -420,40 +421,6 @@ impl Lowering {
         });
         let place = if self.materials[material as usize].solid { None } else { non_identity(&placed.transform) };
         PlacedMaterial { material, place }
-    }
-
-    /// Appends the shapes of a CSG object's parts, of a difference those of the first part only, each with the material
-    /// that it shows on surfaces that cut it; `texture` is the one around the parts. A shape without any texture has
-    /// the default texture in a union or merge, and is left out otherwise (manual, "Cutaway Textures", quirk:
-    /// `cutaway_without_texture`).
-    fn collect_cutaway_materials(
-        &mut self,
-        op: CsgOp,
-        parts: &[Object],
-        around: &BlockSpace,
-        texture: Option<&PlacedTexture>,
-        out: &mut Vec<(SolidNode, PlacedMaterial)>,
-    ) -> Result<()> {
-        let cut = if op == CsgOp::Difference { 1 } else { parts.len() };
-        let any = matches!(op, CsgOp::Union | CsgOp::Merge);
-        for part in parts.iter().take(cut) {
-            let place = around.inside(part)?;
-            let own = around.placed_texture(part.texture.as_ref(), part, &place)?;
-            let texture = own.as_ref().or(texture);
-            match (&part.kind, texture) {
-                (ObjectKind::Csg(op, parts), texture) => {
-                    self.collect_cutaway_materials(*op, parts, &place, texture, out)?
-                }
-                (ObjectKind::Shape(shape), texture) if texture.is_some() || any => {
-                    let placed =
-                        self.lower_placed_texture(&texture.cloned().unwrap_or_else(|| self.default_placed_texture()));
-                    let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.world_from_block, 0), 0);
-                    out.push((if part.uncommon.flags.inverse { node.inverted() } else { node }, placed));
-                }
-                _ => {}
-            }
-        }
-        Ok(())
     }
 
     fn lower_csg(&mut self, op: CsgOp, parts: &[Object], own: &Inherited) -> Result<Option<Solid>> {
