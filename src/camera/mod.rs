@@ -59,9 +59,9 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads the items of a `camera` block; `source` is the span of its word, `start` the camera whose properties it starts
-    /// from (quirk: `default_camera`; a lecture camera gives none), `default_texture` the texture that its `normal` starts from, and `mesh` reads the meshes
-    /// of a mesh camera.
+    /// Reads the items of a `camera` block. `source` is the span of its word. It starts from the properties of `start`
+    /// (quirk: `default_camera`), unless that is a lecture camera, and its `normal` from that of `default_texture`. `mesh`
+    /// reads the meshes of a mesh camera.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
