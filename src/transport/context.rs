@@ -108,14 +108,6 @@ impl<'w> FrameContext<'w> {
         }
     }
 
-    /// True without radiosity, photons and subsurface light transport, at a quality level that shows lights, pigments
-    /// and reflection.
-    pub(super) fn has_only_source_light(&self) -> bool {
-        let quality = &self.quality;
-        let is_shown = quality.lights && quality.pigments && quality.reflection;
-        is_shown && !quality.subsurface && self.radiosity.is_none() && self.photons.is_none()
-    }
-
     /// Returns the interiors that contain the origin of a camera ray; none unless rays keep a list of interiors.
     pub(super) fn interiors_of_camera_ray(&self, origin: DVec3) -> Interiors {
         match self.camera.origin {

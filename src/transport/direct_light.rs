@@ -29,10 +29,14 @@ pub(super) trait LitSurface<'w> {
     fn part(&self) -> &'w Part;
     /// Returns the point in world space.
     fn point(&self) -> DVec3;
+    /// Returns the normal without bumps, length 1, towards the ray's origin.
+    fn smooth_normal(&self) -> DVec3;
     /// True if `test` is true for any layer.
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool;
     /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
     fn weighted_layer_sum(&self, light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb;
+    /// Calls `visit` with each layer and the share of its material.
+    fn for_each_layer(&self, visit: impl FnMut(f64, &ShadedLayer<'w>));
 }
 
 /// A light source, relative to one point of a surface.

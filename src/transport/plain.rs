@@ -1,4 +1,4 @@
-//! Plain surfaces, which most rays hit: one opaque layer, lit by light sources alone. Their light is computed
+//! Plain surfaces, which most rays hit: one opaque layer, which reflects in proportion to the light. Their light is computed
 //! without lists of materials and layers; it is the same, bit by bit, as that by way of [`super::shading_point::ShadingPoint`].
 
 use super::direct_light::{LitSurface, emitted_light};
@@ -62,6 +62,10 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
         self.point
     }
 
+    fn smooth_normal(&self) -> DVec3 {
+        self.smooth
+    }
+
     #[inline(always)]
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
         test(&self.shaded)
@@ -71,13 +75,22 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
     fn weighted_layer_sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
         light(&self.shaded)
     }
+
+    #[inline(always)]
+    fn for_each_layer(&self, mut visit: impl FnMut(f64, &ShadedLayer<'w>)) {
+        visit(1.0, &self.shaded);
+    }
 }
 
 impl<'w> Tracer<'w> {
-    /// Adds the light that a point of a plain surface sends along the ray to `sum`.
+    /// Adds the light that a point of a plain surface emits, and reflects from light sources and photons, along the ray to
+    /// `sum`.
     pub(super) fn add_plain_light(&mut self, state: &RayState, at: &PlainPoint<'w>, sum: &mut Radiance) {
         let mut light = at.shaded.weight * emitted_light(&at.shaded, self.context.has_ambient);
         self.add_light_of_sources(state, at, &mut light);
+        if self.context.photons.is_some() {
+            light += self.photon_light(state, at);
+        }
         sum.rgb += state.throughput * light;
     }
 

@@ -84,13 +84,20 @@ impl<'w> Tracer<'w> {
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
         }
+        // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
+        let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()
             && material.is_plain
-            && self.has_only_source_light
+            && self.has_plain_points
             && let Some(at) = PlainPoint::new(self.context.world, part, &state.ray, &hit)
         {
-            self.add_plain_light(state, &at, sum);
+            if state.bounces > 0 || !is_collecting {
+                self.add_plain_light(state, &at, sum);
+            }
+            if self.context.radiosity.is_some() {
+                sum.rgb += state.throughput * self.indirect_light(state, &at);
+            }
             return self.reflect_at_plain_point(state, &hit, &at);
         }
         let interface = self.interface(state, &hit);
@@ -100,8 +107,6 @@ impl<'w> Tracer<'w> {
         // Light that the surface itself sends
         let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };
         let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, quality, &interface);
-        let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
-        // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
         if state.bounces > 0 || !is_collecting {
             sum.rgb += state.throughput * self.emitted_and_direct_light(state, &shading);
         }

@@ -122,6 +122,10 @@ impl<'w> LitSurface<'w> for ShadingPoint<'w> {
         self.point
     }
 
+    fn smooth_normal(&self) -> DVec3 {
+        self.smooth
+    }
+
     #[inline]
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
         self.layers.iter().any(test)
@@ -140,6 +144,12 @@ impl<'w> LitSurface<'w> for ShadingPoint<'w> {
             sum += material.share * sum_of_layers;
         }
         sum
+    }
+
+    fn for_each_layer(&self, mut visit: impl FnMut(f64, &ShadedLayer<'w>)) {
+        for material in &self.materials {
+            self.layers_of(material).iter().for_each(|shaded| visit(material.share, shaded));
+        }
     }
 }
 

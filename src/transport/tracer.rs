@@ -62,9 +62,9 @@ pub struct Tracer<'w> {
     pub(super) max_trace_level: u32,
     /// Importance below which rays are not traced.
     pub(super) adc_bailout: f64,
-    /// See [`FrameContext::has_only_source_light`]: a plain surface then needs no more than a
-    /// [`super::plain::PlainPoint`].
-    pub(super) has_only_source_light: bool,
+    /// True if a plain surface needs no more than a [`super::plain::PlainPoint`]: at a quality level that shows lights,
+    /// pigments and reflection.
+    pub(super) has_plain_points: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
     /// Photons of the last search; kept to save allocations.
@@ -74,6 +74,7 @@ pub struct Tracer<'w> {
 impl<'w> Tracer<'w> {
     /// Creates a tracer that stops soon after `is_cancelled` returns true.
     pub fn new(context: &'w FrameContext<'w>, is_cancelled: &'w (dyn Fn() -> bool + Sync)) -> Self {
+        let quality = &context.quality;
         Self {
             context,
             counts: RayCounts::default(),
@@ -88,7 +89,7 @@ impl<'w> Tracer<'w> {
             queue: vec![],
             max_trace_level: context.world.max_trace_level,
             adc_bailout: context.world.adc_bailout,
-            has_only_source_light: context.has_only_source_light(),
+            has_plain_points: quality.lights && quality.pigments && quality.reflection,
             traces_photons: false,
             found_photons: vec![],
         }

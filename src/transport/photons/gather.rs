@@ -2,7 +2,7 @@
 
 use super::super::direct_light::{Incidence, LitSurface, diffuse_factor, highlight_factor};
 use super::super::ray_state::RayState;
-use super::super::shading_point::{ShadedLayer, ShadingPoint};
+use super::super::shading_point::ShadedLayer;
 use super::super::tracer::Tracer;
 use super::{Found, Photons};
 use crate::color::Rgb;
@@ -38,30 +38,30 @@ impl Photons {
 impl Tracer<'_> {
     /// Returns the radiance that photons cause by diffuse and specular reflection at a surface.
     #[inline(never)]
-    pub(in super::super) fn photon_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
+    pub(in super::super) fn photon_light<'s>(&mut self, state: &RayState, surface: &impl LitSurface<'s>) -> Rgb {
         let Some(photons) = &self.context.photons else { return Rgb::ZERO };
-        if photons.surface.is_empty() || !shading.part.collects_photons {
+        if photons.surface.is_empty() || !surface.part().collects_photons {
             return Rgb::ZERO;
         }
         let reflects =
             |shaded: &ShadedLayer| shaded.layer.finish.diffuse != 0.0 || shaded.layer.finish.diffuse_back != 0.0;
-        if !shading.layers().any(reflects) {
+        if !surface.any_layer(reflects) {
             return Rgb::ZERO;
         }
-        let radius = photons.surface_photons_and_radius(shading.point, &mut self.found_photons);
+        let radius = photons.surface_photons_and_radius(surface.point(), &mut self.found_photons);
         if self.found_photons.is_empty() || radius <= 0.0 {
             return Rgb::ZERO;
         }
-        let both_sides = shading.part.double_illuminate;
+        let both_sides = surface.part().double_illuminate;
         let found = &self.found_photons;
-        let sum = shading.weighted_layer_sum(|shaded| {
+        let sum = surface.weighted_layer_sum(|shaded| {
             let mut sum = Rgb::ZERO;
             for (_, index) in found {
                 let photon = photons.surface.power(*index);
                 let to_light = -photon.dir();
                 let cos = shaded.normal.dot(to_light);
                 // The density of photons contains the cosine at the smooth surface.
-                let smooth_cos = shading.smooth.dot(to_light).abs().max(MIN_COS);
+                let smooth_cos = surface.smooth_normal().dot(to_light).abs().max(MIN_COS);
                 let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
                 let mut reflected = diffuse_factor(shaded, &at, 0.0, both_sides);
                 if cos > 0.0 || both_sides {

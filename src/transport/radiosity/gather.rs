@@ -7,7 +7,7 @@ use crate::math::{DVec3, Ray, fp, rng};
 use crate::transport::direct_light::LitSurface;
 use crate::transport::interface::Interiors;
 use crate::transport::ray_state::RayState;
-use crate::transport::shading_point::{ShadedLayer, ShadingPoint};
+use crate::transport::shading_point::ShadedLayer;
 use crate::transport::tracer::Tracer;
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ impl Tracer<'_> {
 
     /// Returns the light that a surface reflects or transmits diffusely from other surfaces and the sky.
     #[inline(never)]
-    pub(in crate::transport) fn indirect_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
+    pub(in crate::transport) fn indirect_light<'s>(&mut self, state: &RayState, surface: &impl LitSurface<'s>) -> Rgb {
         let context = self.context;
         let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
         if u32::from(state.bounces) >= radiosity.settings.recursion_limit {
@@ -46,23 +46,21 @@ impl Tracer<'_> {
         };
         let mut sum = Rgb::ZERO;
         for side in [1.0, -1.0] {
-            let smooth = shading.smooth * side;
+            let smooth = surface.smooth_normal() * side;
             let at = |normal| GatherPoint {
-                point: shading.point,
+                point: surface.point(),
                 normal,
                 smooth,
                 depth: state.bounces,
                 importance: state.weight,
             };
             if radiosity.settings.normal {
-                for material in &shading.materials {
-                    for shaded in shading.layers_of(material) {
-                        let factor = material.share * gathered_light_factor(shaded, side);
-                        sum += self.indirect_light_at(radiosity, at(shaded.normal * side), factor);
-                    }
-                }
+                surface.for_each_layer(|share, shaded| {
+                    let factor = share * gathered_light_factor(shaded, side);
+                    sum += self.indirect_light_at(radiosity, at(shaded.normal * side), factor);
+                });
             } else {
-                let factor = shading.weighted_layer_sum(|shaded| gathered_light_factor(shaded, side));
+                let factor = surface.weighted_layer_sum(|shaded| gathered_light_factor(shaded, side));
                 sum += self.indirect_light_at(radiosity, at(smooth), factor);
             }
         }
