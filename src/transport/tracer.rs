@@ -1,6 +1,7 @@
 //! The state of one thread while it traces rays.
 
 use super::context::FrameContext;
+use super::photons::Found;
 use super::radiosity::{RadiosityCache, RadiosityState};
 use super::random::Random;
 use super::ray_state::RayState;
@@ -67,8 +68,8 @@ pub struct Tracer<'w> {
     pub(super) has_plain_points: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
-    /// Photons of the last search; kept to save allocations.
-    pub(super) found_photons: Vec<(f32, u32)>,
+    /// Photons of the last two searches; kept to save allocations.
+    pub(super) found_photons: [Found; 2],
 }
 
 impl<'w> Tracer<'w> {
@@ -91,7 +92,7 @@ impl<'w> Tracer<'w> {
             adc_bailout: context.world.adc_bailout,
             has_plain_points: quality.lights && quality.pigments && quality.reflection,
             traces_photons: false,
-            found_photons: vec![],
+            found_photons: <[Found; 2]>::default(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Decides by intervals along a ray which hits on parts are hits of the solid, where rounding can't change the result.
 
-use super::leaf::{Intersection, Intersections, Leaf};
+use super::leaf::Leaf;
 use super::node::{SolidKind, SolidNode};
 use crate::math::{Range, Ray};
 use crate::shape::{Crossing, End, Kernel};
@@ -13,9 +13,9 @@ const SLACK: f64 = 1e-6;
 
 /// Interval of a ray inside a convex part, or the complement of such an interval.
 #[derive(Clone, Copy, Debug)]
-struct ConvexInterval {
+pub(super) struct ConvexInterval {
     /// Ends of the interval, which may be infinite. The first is after the second if the interval is empty.
-    ends: [End; 2],
+    pub(super) ends: [End; 2],
     /// True if the part is inverted, so that the ray is inside it outside of the interval.
     inverse: bool,
     /// [`SLACK`] in units of `t`.
@@ -27,9 +27,15 @@ impl ConvexInterval {
 
     /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
-    fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
-        let local = leaf.local(ray);
-        let (ends, around) = match leaf.shape.crossing(&local) {
+    pub(super) fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
+        let Some(place) = &leaf.place else { return Self::inside_shape_in_place(leaf, ray) };
+        Self::inside_shape_in_place(leaf, &place.inverse_transform_ray(ray))
+    }
+
+    /// The same for a ray in the space of the shape.
+    #[inline(always)]
+    fn inside_shape_in_place(leaf: &Leaf, local: &Ray) -> Option<Self> {
+        let (ends, around) = match leaf.shape.crossing(local) {
             Crossing::Unknown => return None,
             Crossing::Misses => (Self::NONE, false),
             Crossing::Through(ends) => (ends, false),
@@ -42,7 +48,7 @@ impl ConvexInterval {
     }
 
     /// Returns the part of the range in which the ray can be inside the part.
-    fn possible_range(&self, range: Range) -> Range {
+    pub(super) fn possible_range(&self, range: Range) -> Range {
         if self.inverse {
             return range;
         }
@@ -59,7 +65,7 @@ impl ConvexInterval {
     }
 
     /// Returns whether the point at `t` is inside the part; `None` near an end, where the part's `inside` must decide.
-    fn contains(&self, t: f64) -> Option<bool> {
+    pub(super) fn contains(&self, t: f64) -> Option<bool> {
         let [min, max] = self.ends.map(|end| end.t);
         let near = (t - min).abs() < self.slack || (t - max).abs() < self.slack;
         (!near).then_some((t > min && t < max) != self.inverse)
@@ -121,74 +127,4 @@ pub(super) fn visit_ends_on_surface<'a>(
         }
     }
     Ok(())
-}
-
-/// The hits of a ray on the children of an intersection or a merge.
-pub(super) struct GatheredHits<'a> {
-    /// Range of distances in which hits count.
-    range: Range,
-    /// Hits, each with the number of the child that is hit.
-    pub(super) hits: SmallVec<[(Intersection<'a>, u32); 4]>,
-    /// Intervals of the ray inside the children; `None` for a child that can't compute intervals.
-    intervals: SmallVec<[Option<ConvexInterval>; 4]>,
-}
-
-impl<'a> GatheredHits<'a> {
-    /// Creates an empty list of hits. (Built in place, because the struct is large.)
-    pub(super) fn new() -> Self {
-        Self { range: Range::ALL, hits: SmallVec::new(), intervals: SmallVec::new() }
-    }
-
-    /// Enters an unknown interval for each of `n_children` children.
-    pub(super) fn add_unknown_intervals(&mut self, n_children: usize) {
-        self.intervals.resize(n_children, None);
-    }
-
-    /// Finds the interval of child `i`, and returns the range. If only hits inside the child count (`only_inside`),
-    /// shrinks the range to the interval.
-    pub(super) fn set_interval_and_narrow(
-        &mut self,
-        i: usize,
-        child: &SolidNode,
-        ray: &Ray,
-        range: Range,
-        only_inside: bool,
-    ) -> Range {
-        self.range = self.range.intersection(range);
-        if let SolidKind::Leaf(leaf) = child.kind()
-            && child.has_no_clips_or_bounds()
-            && let Some(interval) = ConvexInterval::inside_shape_if_known(leaf, ray)
-        {
-            if only_inside {
-                self.range = interval.possible_range(self.range);
-            }
-            self.intervals[i] = Some(interval);
-        }
-        self.range
-    }
-
-    /// Adds the hits of a child within the range that the intervals of all children have narrowed.
-    pub(super) fn add(&mut self, i: usize, child: &'a SolidNode, ray: &Ray) {
-        if self.range.is_empty() {
-            return;
-        }
-        let number = i as u32;
-        match (child.kind(), &self.intervals[i]) {
-            (SolidKind::Leaf(leaf), Some(interval)) => {
-                for end in interval.ends.into_iter().filter(|end| self.range.contains(end.t)) {
-                    self.hits.push((Intersection::new(end.into(), leaf, child.object), number));
-                }
-            }
-            _ => {
-                let mut all = Intersections::new();
-                child.hits_as(true, ray, self.range, &mut all);
-                self.hits.extend(all.iter().map(|found| (*found, number)));
-            }
-        }
-    }
-
-    /// True if the point at `t` on the ray is inside child `i`.
-    pub(super) fn inside(&self, i: usize, child: &SolidNode, ray: &Ray, t: f64) -> bool {
-        self.intervals[i].and_then(|interval| interval.contains(t)).unwrap_or_else(|| child.inside(ray.at(t)))
-    }
 }

@@ -14,7 +14,7 @@ pub struct Leaf {
     /// Shape in object space, which instances share.
     pub shape: Shape,
     /// Transform from object to world space; `None` for the identity.
-    place: Option<Arc<Transform>>,
+    pub(super) place: Option<Arc<Transform>>,
     /// True if the shape is inverted, which exchanges inside and outside.
     pub inverse: bool,
     /// Index of the shape's properties in [`super::World::parts`], before the offset of an instance.

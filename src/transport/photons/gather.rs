@@ -1,12 +1,13 @@
 //! Estimates of the light of stored photons.
 
-use super::super::direct_light::{Incidence, LitSurface, diffuse_factor, highlight_factor};
+use super::super::direct_light::{Incidence, LitSurface, highlight_factor};
 use super::super::ray_state::RayState;
 use super::super::shading_point::ShadedLayer;
 use super::super::tracer::Tracer;
+use super::map::FoundPhoton;
 use super::{Found, Photons};
 use crate::color::Rgb;
-use crate::math::DVec3;
+use crate::math::{DVec3, fp};
 use std::f64::consts::PI;
 
 /// Factor of the radius of a search that is repeated because too few photons were found.
@@ -15,20 +16,21 @@ const EXPANSION: f64 = 3.0;
 const MIN_COS: f64 = 0.05;
 
 impl Photons {
-    /// Finds the photons of an estimate on a surface, and returns the radius that they fill.
-    fn surface_photons_and_radius(&self, p: DVec3, found: &mut Found) -> f64 {
+    /// Finds the photons of an estimate on a surface, and returns the radius that they fill. `farther` is memory for a second
+    /// search.
+    fn surface_photons_and_radius(&self, p: DVec3, found: &mut Found, farther: &mut Found) -> f64 {
         let [least, most] = self.gather;
         let narrow = self.surface.find_nearest_and_radius(p, self.radius[0], most, found);
-        if found.len() >= least {
+        let n_found = found.len();
+        if n_found >= least {
             return narrow;
         }
         // Search farther, unless the density rises too much at a border
-        let before = found.len() as f64 / (narrow * narrow);
-        let mut more = Found::new();
-        let wide = self.surface.find_nearest_and_radius(p, self.radius[0] * EXPANSION, most, &mut more);
-        let after = more.len() as f64 / (wide * wide);
-        if more.len() < self.expand_min || after <= before * (1.0 + self.max_increase) {
-            *found = more;
+        let before = n_found as f64 / (narrow * narrow);
+        let wide = self.surface.find_nearest_and_radius(p, self.radius[0] * EXPANSION, most, farther);
+        let after = farther.len() as f64 / (wide * wide);
+        if farther.len() < self.expand_min || after <= before * (1.0 + self.max_increase) {
+            std::mem::swap(found, farther);
             return wide;
         }
         narrow
@@ -48,28 +50,41 @@ impl Tracer<'_> {
         if !surface.any_layer(reflects) {
             return Rgb::ZERO;
         }
-        let radius = photons.surface_photons_and_radius(surface.point(), &mut self.found_photons);
-        if self.found_photons.is_empty() || radius <= 0.0 {
+        let [found, farther] = &mut self.found_photons;
+        let radius = photons.surface_photons_and_radius(surface.point(), found, farther);
+        if found.is_empty() || radius <= 0.0 {
             return Rgb::ZERO;
         }
-        let both_sides = surface.part().double_illuminate;
-        let found = &self.found_photons;
+        let (both_sides, smooth) = (surface.part().double_illuminate, surface.smooth_normal());
+        // quirk: radiosity_without_highlights
+        let has_highlights = state.bounces == 0;
         let sum = surface.weighted_layer_sum(|shaded| {
-            let mut sum = Rgb::ZERO;
-            for (_, index) in found {
-                let photon = photons.surface.power(*index);
+            let finish = &shaded.layer.finish;
+            let has_highlights = has_highlights && (finish.phong.strength != 0.0 || finish.specular.strength != 0.0);
+            // Diffuse light from the front and from behind, before it is reflected
+            let (mut front, mut back, mut highlights) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
+            for found in found.iter() {
+                let photon = photons.surface.power(found.index());
                 let to_light = -photon.dir();
                 let cos = shaded.normal.dot(to_light);
                 // The density of photons contains the cosine at the smooth surface.
-                let smooth_cos = surface.smooth_normal().dot(to_light).abs().max(MIN_COS);
-                let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
-                let mut reflected = diffuse_factor(shaded, &at, 0.0, both_sides);
+                let flux = photon.flux() / smooth.dot(to_light).abs().max(MIN_COS);
+                let incident = flux * fp::power(cos.abs(), finish.brilliance);
                 if cos > 0.0 || both_sides {
-                    reflected += highlight_factor(shaded, &at);
+                    front += incident;
+                    if has_highlights {
+                        let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
+                        highlights += highlight_factor(shaded, &at) * flux;
+                    }
+                } else {
+                    back += incident;
                 }
-                sum += reflected / smooth_cos * photon.flux();
             }
-            shaded.weight * sum
+            let diffuse = match shaded.is_translucent {
+                true => Rgb::ZERO,
+                false => shaded.color.rgb * shaded.opacity * (front * finish.diffuse + back * finish.diffuse_back),
+            };
+            shaded.weight * (diffuse + highlights)
         });
         sum / (PI * radius * radius)
     }
@@ -82,16 +97,16 @@ impl Tracer<'_> {
         if photons.media.is_empty() {
             return Rgb::ZERO;
         }
-        let radius =
-            photons.media.find_nearest_and_radius(p, photons.radius[1], photons.gather[1], &mut self.found_photons);
+        let found = &mut self.found_photons[0];
+        let radius = photons.media.find_nearest_and_radius(p, photons.radius[1], photons.gather[1], found);
         if radius <= 0.0 {
             return Rgb::ZERO;
         }
-        let light = |(_, index): &(f32, u32)| {
-            let photon = photons.media.power(*index);
+        let light = |found: &FoundPhoton| {
+            let photon = photons.media.power(found.index());
             phase(-dir.dot(photon.dir())) * photon.flux()
         };
-        let sum: Rgb = self.found_photons.iter().map(light).sum();
+        let sum: Rgb = found.iter().map(light).sum();
         sum / (4.0 / 3.0 * PI * radius * radius * radius)
     }
 }

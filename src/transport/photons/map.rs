@@ -3,10 +3,13 @@
 
 use crate::color::Rgb;
 use crate::math::{DVec3, cancel};
-use glam::Vec4;
+use smallvec::SmallVec;
 
 /// Maximum number of photons of a leaf of the tree.
 const LEAF: usize = 16;
+
+/// Maximum depth of the tree: each division halves the photons, of which there are fewer than 2³², down to a leaf.
+const MAX_DEPTH: usize = 28;
 
 /// Maximum number of photons around which [`PhotonMap::mean_radius_holding_count`] measures the distance of neighbours.
 const RADIUS_SAMPLES: usize = 256;
@@ -59,8 +62,28 @@ impl PhotonPower {
     }
 }
 
-/// Found photons: squared distances and indices. A heap with the farthest photon first when the list is full.
-pub type Found = Vec<(f32, u32)>;
+/// A photon that a search has found. Its distance is in the upper 32 bits, its index in the lower ones: the bits of numbers
+/// that are not negative have the order of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FoundPhoton(u64);
+
+impl FoundPhoton {
+    fn new(squared_distance: f32, index: u32) -> Self {
+        Self(u64::from(squared_distance.to_bits()) << 32 | u64::from(index))
+    }
+
+    fn squared_distance(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    /// Returns the number of the photon, for [`PhotonMap::power`].
+    pub fn index(self) -> u32 {
+        self.0 as u32
+    }
+}
+
+/// Photons that a search has found; a heap with the farthest photon first when the list is full.
+pub type Found = Vec<FoundPhoton>;
 
 /// A balanced kd-tree of photons. The middle photon of each range divides the range along an axis.
 #[derive(Debug, Default)]
@@ -131,7 +154,7 @@ impl PhotonMap {
         self.positions.each_ref().map(|list| list[i])
     }
 
-    /// Finds the at most `count` photons nearest to a point within a radius, and returns the radius that they fill: the
+    /// Finds the at most `count` photons, one or more, nearest to a point within a radius, and returns the radius that they fill: the
     /// distance of the farthest one if there are `count`, the radius of the search otherwise.
     pub fn find_nearest_and_radius(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
         found.clear();
@@ -140,7 +163,7 @@ impl PhotonMap {
         let apart = [0, 1, 2].map(|i| (low[i] - search.p[i]).max(search.p[i] - high[i]).max(0.0));
         let [x, y, z] = apart;
         if x * x + y * y + z * z < search.limit {
-            search.visit(0, self.len(), apart);
+            search.visit_all(apart);
         }
         f64::from(search.limit).sqrt()
     }
@@ -148,11 +171,12 @@ impl PhotonMap {
     /// Returns the mean radius of a ball around a photon that contains `count` photons, the one at the centre included.
     pub fn mean_radius_holding_count(&self, count: usize) -> f64 {
         let n = self.len().min(RADIUS_SAMPLES);
-        let (mut sum, mut found) = (0.0, Found::new());
+        let (mut sum, mut found) = (0.0, Found::default());
         for i in 0..n {
             let p = DVec3::from_array(self.position(i * self.len() / n).map(f64::from));
             self.find_nearest_and_radius(p, f64::MAX.sqrt(), count.min(self.len()), &mut found);
-            sum += found.first().map_or(0.0, |(squared, _)| f64::from(*squared).sqrt());
+            let farthest = found.iter().map(|photon| photon.squared_distance()).fold(0.0, f32::max);
+            sum += f64::from(farthest).sqrt();
         }
         sum / n.max(1) as f64
     }
@@ -199,25 +223,68 @@ struct Search<'a> {
     found: &'a mut Found,
 }
 
+/// A part of the tree that a search has still to visit.
+#[derive(Clone, Copy, Default)]
+struct Pending {
+    /// Range of the part's photons.
+    from: u32,
+    to: u32,
+    /// Photon that divides the part from its neighbour.
+    middle: u32,
+    /// Distance of the point of the search from the part's box along each axis.
+    axis_distances: [f32; 3],
+}
+
 impl Search<'_> {
-    /// Searches the photons of a range of the tree. `axis_distances` is the distance of the point from the range's part
-    /// of space along each axis (S. Arya and D. M. Mount, "Algorithms for fast vector quantization", 1993).
-    fn visit(&mut self, from: usize, to: usize, axis_distances: [f32; 3]) {
-        if to - from <= LEAF {
-            return self.visit_leaf(from, to);
+    /// Searches all photons of the tree. `axis_distances` is the distance of the point from the photons' box along each
+    /// axis.
+    fn visit_all(&mut self, axis_distances: [f32; 3]) {
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has the feature that the function needs.
+            #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+            return unsafe { self.visit_all_avx2(axis_distances) };
         }
-        let middle = from + (to - from) / 2;
-        let axis = self.map.axes[middle] as usize;
-        let beyond = self.p[axis] - self.map.positions[axis][middle];
-        let (near, far) =
-            if beyond < 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
-        self.visit(near.0, near.1, axis_distances);
-        let mut apart_of_far = axis_distances;
-        apart_of_far[axis] = beyond;
-        let [x, y, z] = apart_of_far;
-        if x * x + y * y + z * z < self.limit {
-            self.visit_one(middle);
-            self.visit(far.0, far.1, apart_of_far);
+        self.visit_all_portably(axis_distances);
+    }
+
+    /// The same, compiled for processors with wider vectors. Sums have the same order, so the results are equal.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn visit_all_avx2(&mut self, axis_distances: [f32; 3]) {
+        self.visit_all_portably(axis_distances);
+    }
+
+    /// Visits the leaves of the tree, from the nearest on, as far as they can contain photons within the limit (S. Arya and
+    /// D. M. Mount, "Algorithms for fast vector quantization", 1993).
+    #[inline(always)]
+    fn visit_all_portably(&mut self, axis_distances: [f32; 3]) {
+        let mut pending: SmallVec<[Pending; MAX_DEPTH]> = SmallVec::new();
+        let (mut from, mut to, mut apart) = (0, self.map.len(), axis_distances);
+        loop {
+            // Down to the leaf that is nearest to the point
+            while to - from > LEAF {
+                let middle = from + (to - from) / 2;
+                let axis = self.map.axes[middle] as usize;
+                let beyond = self.p[axis] - self.map.positions[axis][middle];
+                let mut apart_of_far = apart;
+                apart_of_far[axis] = beyond;
+                let (below, above) = ((from, middle), (middle + 1, to));
+                let (near, far) = if beyond < 0.0 { (below, above) } else { (above, below) };
+                let [start, end, middle] = [far.0, far.1, middle].map(|i| i as u32);
+                pending.push(Pending { from: start, to: end, middle, axis_distances: apart_of_far });
+                (from, to) = near;
+            }
+            self.visit_leaf(from, to);
+            loop {
+                let Some(part) = pending.pop() else { return };
+                let [x, y, z] = part.axis_distances;
+                if x * x + y * y + z * z < self.limit {
+                    self.visit_one(part.middle as usize);
+                    (from, to, apart) = (part.from as usize, part.to as usize, part.axis_distances);
+                    break;
+                }
+            }
         }
     }
 
@@ -233,20 +300,22 @@ impl Search<'_> {
     }
 
     /// Adds the photons of a range of at most [`LEAF`] that are near enough.
-    #[inline]
+    #[inline(always)]
     fn visit_leaf(&mut self, from: usize, to: usize) {
         let blocks = self.map.positions.each_ref().map(|list| list[from..].first_chunk::<LEAF>());
         let [Some(x), Some(y), Some(z)] = blocks else { return };
-        let [px, py, pz] = self.p.map(Vec4::splat);
-        let (mut squared, mut near) = ([0.0; LEAF], 0);
-        // Four photons at once; those beyond the range are ignored afterwards.
-        for at in (0..LEAF).step_by(4) {
-            let [x, y, z] = [x, y, z].map(|list| Vec4::from_slice(&list[at..]));
-            let (x, y, z) = (x - px, y - py, z - pz);
-            let block = x * x + y * y + z * z;
-            block.write_to_slice(&mut squared[at..]);
-            near |= block.cmplt(Vec4::splat(self.limit)).bitmask() << at;
+        let [px, py, pz] = self.p;
+        // (Loops that the compiler turns into vectors.)
+        let mut squared = [0.0; LEAF];
+        for i in 0..LEAF {
+            let (x, y, z) = (x[i] - px, y[i] - py, z[i] - pz);
+            squared[i] = x * x + y * y + z * z;
         }
+        let mut near = 0_u32;
+        for (i, squared) in squared.iter().enumerate() {
+            near |= u32::from(*squared < self.limit) << i;
+        }
+        // Photons beyond the range are ignored.
         near &= (1 << (to - from)) - 1;
         while near != 0 {
             let i = near.trailing_zeros() as usize;
@@ -259,37 +328,42 @@ impl Search<'_> {
     }
 
     /// Adds a photon that is nearer than the limit; in a full list it replaces the farthest one.
+    #[inline(always)]
     fn add(&mut self, squared_distance: f32, i: u32) {
+        let photon = FoundPhoton::new(squared_distance, i);
         if self.found.len() < self.count {
-            self.found.push((squared_distance, i));
-            if self.found.len() == self.count {
-                (0..self.count / 2).rev().for_each(|i| sift_down(self.found, i));
-                self.limit = self.found[0].0;
+            self.found.push(photon);
+            if self.found.len() < self.count {
+                return;
+            }
+            for i in (0..self.count / 2).rev() {
+                let photon = self.found[i];
+                sift_down(self.found, i, photon);
             }
         } else {
-            self.found[0] = (squared_distance, i);
-            sift_down(self.found, 0);
-            self.limit = self.found[0].0;
+            sift_down(self.found, 0, photon);
         }
+        self.limit = self.found[0].squared_distance();
     }
 }
 
-/// Restores the order of a heap below the entry `i`.
-fn sift_down(heap: &mut [(f32, u32)], mut i: usize) {
+/// Stores `photon` in a heap at the entry `i` or below it, in place of the entry `i`. The farthest photon comes first.
+#[inline(always)]
+fn sift_down(heap: &mut [FoundPhoton], mut i: usize, photon: FoundPhoton) {
     loop {
         let mut child = 2 * i + 1;
-        if child >= heap.len() {
-            return;
+        if child + 1 < heap.len() {
+            child += usize::from(heap[child + 1] > heap[child]);
+        } else if child >= heap.len() {
+            break;
         }
-        if child + 1 < heap.len() && heap[child + 1].0 > heap[child].0 {
-            child += 1;
+        if heap[child] <= photon {
+            break;
         }
-        if heap[child].0 <= heap[i].0 {
-            return;
-        }
-        heap.swap(i, child);
+        heap[i] = heap[child];
         i = child;
     }
+    heap[i] = photon;
 }
 
 #[cfg(test)]
@@ -303,7 +377,7 @@ mod tests {
         let mut point = || DVec3::from_array([(); 3].map(|()| random.next_random()));
         let points: Vec<DVec3> = (0..3000).map(|_| point()).collect();
         let map = PhotonMap::new(points.iter().map(|p| Photon::new(*p, Rgb::ONE, DVec3::Y)).collect());
-        let mut found = Found::new();
+        let mut found = Found::default();
         for _ in 0..50 {
             let p = point();
             let mut all: Vec<f64> = points.iter().map(|q| q.distance(p)).collect();

@@ -11,7 +11,8 @@ use super::context::FrameContext;
 use crate::scene::PhotonMapSettings;
 use crate::world::{LightSource, World};
 use emission::{Job, Plan};
-use map::{Found, Photon, PhotonMap};
+pub use map::Found;
+use map::{Photon, PhotonMap};
 
 /// Radius of a search, as a multiple of the mean distance of the farthest photon of an estimate.
 const RADIUS_FACTOR: f64 = 3.0;

@@ -1,5 +1,6 @@
 //! Bounding boxes of solids: around their surfaces and around their insides.
 
+use super::parts_on_ray::PartNumbers;
 use super::{CompositeData, SolidKind, SolidNode};
 use crate::math::{Aabb, DVec3, bvh};
 use crate::shape::Kernel;
@@ -146,7 +147,10 @@ impl SolidNode {
         // For many children the hierarchy is faster.
         let convex_parts = known && child_bvh.is_none();
         let boxes = Boxes { surface, solid };
-        self.composite = Some(Box::new(CompositeData { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
+        let outside = if clip.is_empty() { self.bounds_of_outside() } else { Aabb::INFINITE };
+        let parts = PartNumbers::new(self.children());
+        let data = CompositeData { clip, bounds, unseen, boxes, outside, parts, convex_parts, child_bvh };
+        self.composite = Some(Box::new(data));
     }
 
     /// Adds clipping and bounding solids to the node, and recomputes the boxes around its surface and its inside.
@@ -159,8 +163,10 @@ impl SolidNode {
 
     /// Returns a box around all points that are outside of the solid; finite for an inverted shape.
     fn bounds_of_outside(&self) -> Aabb {
+        if let Some(composite) = &self.composite {
+            return composite.outside;
+        }
         match &self.kind {
-            _ if !self.has_no_clips_or_bounds() => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse => {
                 Aabb::INFINITE
             }

@@ -21,7 +21,7 @@ impl SolidNode {
         });
         match found {
             Ok(()) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
-            Err(convex_interval::UnknownInterval) => self.closest_of_gathered_hits(ray, range),
+            Err(convex_interval::UnknownInterval) => self.closest_of_parts(ray, range),
         }
     }
 
@@ -34,7 +34,7 @@ impl SolidNode {
         });
         match found {
             Ok(()) => is_hit,
-            Err(convex_interval::UnknownInterval) => self.closest_of_gathered_hits(ray, range).is_some(),
+            Err(convex_interval::UnknownInterval) => self.closest_of_parts(ray, range).is_some(),
         }
     }
 

@@ -7,15 +7,16 @@
 mod bounded;
 mod boxes;
 mod convex_parts;
+mod parts_on_ray;
 
 use super::child_bvh::ChildBvh;
-use super::convex_interval::{self, GatheredHits};
+use super::convex_interval;
 use super::leaf::{Intersection, Intersections, Leaf};
-use crate::math::{DVec3, Range, Ray};
-use crate::shape::Hits;
+use crate::math::{Aabb, DVec3, Range, Ray};
+use crate::shape::{Hit, Hits};
 use boxes::Boxes;
+use parts_on_ray::PartNumbers;
 use serde::Serialize;
-use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// A shape or a composite solid, with its object number.
@@ -42,6 +43,11 @@ struct CompositeData {
     unseen: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
+    /// Box around all points outside of the solid.
+    #[serde(skip)]
+    outside: Aabb,
+    #[serde(skip)]
+    parts: PartNumbers,
     /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
@@ -253,13 +259,7 @@ impl SolidNode {
                 });
                 out[first..].iter_mut().for_each(|found| found.object = self.object);
             }
-            _ => {
-                let mut all = GatheredHits::new();
-                self.gather_child_hits(ray, range, &mut all);
-                let kept =
-                    all.hits.iter().filter(|(found, child)| self.is_on_surface(&all, *child as usize, ray, found.t()));
-                out.extend(kept.map(|(found, _)| Intersection { object: self.object, ..*found }));
-            }
+            _ => self.hits_of_parts(ray, range, out),
         }
         if !self.clip().is_empty() {
             retain_from(out, first, |found| self.is_inside_all_clips(ray.at(found.hit.t)));
@@ -321,16 +321,28 @@ impl SolidNode {
             SolidKind::Leaf(leaf) if self.clip().is_empty() => {
                 leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
             }
-            SolidKind::Leaf(_) => {
-                let mut all = Intersections::new();
-                self.hits(ray, range, &mut all);
-                all.iter().min_by(|a, b| a.t().total_cmp(&b.t())).copied()
+            SolidKind::Leaf(leaf) => {
+                self.closest_of_clipped_leaf(leaf, ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
             }
             SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_union(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped_union(ray, range),
             _ if self.has_convex_parts() => self.closest_of_convex_parts(ray, range),
-            _ => self.closest_of_gathered_hits(ray, range),
+            _ => self.closest_of_parts(ray, range),
         }
+    }
+
+    /// Returns the closest hit on the shape of a clipped leaf that is not clipped away.
+    fn closest_of_clipped_leaf(&self, leaf: &Leaf, ray: &Ray, range: Range) -> Option<Hit> {
+        let range = self.range_in_box_and_clips(ray, range)?;
+        let mut hits = Hits::new();
+        leaf.limited_hits_for_csg(ray, range, &mut hits);
+        let mut best: Option<Hit> = None;
+        for hit in &hits {
+            if best.is_none_or(|best| hit.t < best.t) && self.is_inside_all_clips(ray.at(hit.t)) {
+                best = Some(*hit);
+            }
+        }
+        best
     }
 
     fn closest_of_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
@@ -363,31 +375,6 @@ impl SolidNode {
             best.map_or(range, |(_, found)| Range { max: range.max.min(found.t().next_up()), ..range })
         });
         best.map(|(_, found)| Intersection { object: self.object, ..found })
-    }
-
-    /// Gathers the hits on the children of an intersection or merge.
-    fn gather_child_hits<'a>(&'a self, ray: &Ray, range: Range, all: &mut GatheredHits<'a>) {
-        let children = self.children();
-        all.add_unknown_intervals(children.len());
-        let only_inside = matches!(self.kind, SolidKind::Intersection(_));
-        let mut met: SmallVec<[u32; 16]> = SmallVec::new();
-        self.each_child_on_ray(ray, range, |i, child, range| {
-            met.push(i as u32);
-            all.set_interval_and_narrow(i, child, ray, range, only_inside)
-        });
-        met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
-    }
-
-    /// Returns the closest hit of an intersection or merge: tests the children's hits by distance until one is kept.
-    fn closest_of_gathered_hits<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let mut all = GatheredHits::new();
-        self.gather_child_hits(ray, range, &mut all);
-        // quirk: last_part_wins
-        all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(j.cmp(i)));
-        let kept = all.hits.iter().find(|(found, child)| {
-            self.is_on_surface(&all, *child as usize, ray, found.t()) && self.is_inside_all_clips(ray.at(found.t()))
-        });
-        kept.map(|(found, _)| Intersection { object: self.object, ..*found })
     }
 
     /// Calls `visit` with each child that the ray can hit. `visit` returns the range in which further hits count.
@@ -426,16 +413,6 @@ impl SolidNode {
                 flow.is_continue()
             }
             None => (0..children.len()).all(fine),
-        }
-    }
-
-    /// True if a hit on one child, at `t`, is on the surface of the composite solid before clipping.
-    fn is_on_surface(&self, all: &GatheredHits, child: usize, ray: &Ray, t: f64) -> bool {
-        let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
-        match &self.kind {
-            SolidKind::Leaf(_) | SolidKind::Union(_) => true,
-            SolidKind::Intersection(_) => self.all_other_children_near(ray.at(t), child, inside),
-            SolidKind::Merge(_) => self.all_other_children_near(ray.at(t), child, |i, c| !inside(i, c)),
         }
     }
 
