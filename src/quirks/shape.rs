@@ -276,17 +276,17 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated_quirk(
         "text_tilt",
         "Letters are rotated by 0.001 degrees about each axis.",
-        &["src/shape/text.rs::letters_lean"],
+        &["src/shape/text/tests.rs::letters_lean"],
     ),
     emulated_quirk(
         "text_walls",
         "Normals of the walls of letters point inwards.",
-        &["src/shape/text.rs::walls_point_inwards"],
+        &["src/shape/text/tests.rs::walls_point_inwards"],
     ),
     emulated_quirk(
         "text_without_depth",
         "Letters with a `depth` of 0 or below have both ends and no inside.",
-        &["src/shape/text.rs::of_a_negative_depth_only_the_ends_are_left"],
+        &["src/shape/text/tests.rs::of_a_negative_depth_only_the_ends_are_left"],
     ),
     emulated_quirk(
         "torus_uv",
