@@ -119,8 +119,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "radiosity_without_highlights",
-        "Rays that gather light for radiosity see no highlights (`phong`, `specular`).",
-        &["light_cases/radiosity_highlights"],
+        "Rays that gather light for radiosity see no highlights (`phong`, `specular`), also none of photons.",
+        &["light_cases/radiosity_highlights", "light_cases/radiosity_photon_highlights"],
     ),
     differing_quirk(
         "remembered_occluder",

@@ -85,8 +85,7 @@ impl LightKind {
     /// Returns the version of the format, which changes when the records or the head do.
     fn version(self) -> u8 {
         match self {
-            Self::Photons => 1,
-            Self::Radiosity => 2,
+            Self::Photons | Self::Radiosity => 2,
         }
     }
 

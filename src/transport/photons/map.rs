@@ -3,12 +3,12 @@
 
 use crate::color::Rgb;
 use crate::math::{DVec3, cancel};
-use smallvec::SmallVec;
+use glam::Vec4;
 
-/// Maximum number of photons of a leaf of the tree.
+/// Number of photons of a leaf of the tree; the last leaf has fewer.
 const LEAF: usize = 16;
 
-/// Maximum depth of the tree: each division halves the photons, of which there are fewer than 2³², down to a leaf.
+/// Maximum number of divisions above a leaf: each halves the leaves, of which there are at most 2²⁸.
 const MAX_DEPTH: usize = 28;
 
 /// Maximum number of photons around which [`PhotonMap::mean_radius_holding_count`] measures the distance of neighbours.
@@ -85,17 +85,27 @@ impl FoundPhoton {
 /// Photons that a search has found; a heap with the farthest photon first when the list is full.
 pub type Found = Vec<FoundPhoton>;
 
-/// A balanced kd-tree of photons. The middle photon of each range divides the range along an axis.
+/// A balanced kd-tree of photons: each node divides its blocks of [`LEAF`] photons into halves along an axis.
 #[derive(Debug, Default)]
 pub struct PhotonMap {
-    /// Positions of the photons, a list for each coordinate: a search reads hardly anything else. [`LEAF`] infinite coordinates
-    /// follow, so that any photon begins a whole block.
-    positions: [Vec<f32>; 3],
+    /// Positions of the photons; a search reads hardly anything else. Infinite coordinates fill the last block.
+    blocks: Vec<Block>,
     powers: Vec<PhotonPower>,
-    /// Axis of the division, by the index of the dividing photon.
-    axes: Vec<u8>,
+    /// Divisions of the nodes, by the number of the first block behind the division; the first has no meaning.
+    divisions: Vec<Division>,
     /// Minimum and maximum coordinates of the photons.
     bounds: [[f32; 3]; 2],
+}
+
+/// Positions of the photons of a leaf, a list for each coordinate.
+type Block = [[f32; LEAF]; 3];
+
+/// Plane that divides the photons of a node.
+#[derive(Clone, Copy, Debug, Default)]
+struct Division {
+    /// Coordinate of the plane: the minimum of the photons behind it, and at least that of each photon in front of it.
+    at: f32,
+    axis: u8,
 }
 
 impl PhotonMap {
@@ -104,35 +114,41 @@ impl PhotonMap {
     pub fn new(mut photons: Vec<Photon>) -> Self {
         photons.retain(|photon| photon.position.iter().chain(&photon.flux).all(|x| x.is_finite()));
         photons.truncate(u32::MAX as usize);
-        let mut axes = vec![0; photons.len()];
+        let mut axes = vec![0; photons.len().div_ceil(LEAF)];
         sort_into_tree_order(&mut photons, &mut axes);
-        Self::from_parts(photons, axes)
+        Self::from_parts(photons, &axes)
     }
 
     /// Creates a map from the photons and axes of [`Self::tree`].
     pub fn from_tree(photons: impl Iterator<Item = (Photon, u8)>) -> Self {
-        let (photons, axes) = photons.unzip();
-        Self::from_parts(photons, axes)
+        let (photons, axes): (Vec<Photon>, Vec<u8>) = photons.unzip();
+        let axes: Vec<u8> = axes.into_iter().step_by(LEAF).map(|axis| axis.min(2)).collect();
+        Self::from_parts(photons, &axes)
     }
 
-    fn from_parts(photons: Vec<Photon>, axes: Vec<u8>) -> Self {
-        let positions = [0, 1, 2].map(|axis| {
-            let padding = std::iter::repeat_n(f32::INFINITY, LEAF);
-            photons.iter().map(|photon| photon.position[axis]).chain(padding).collect()
-        });
+    /// Creates a map from photons in the order of the tree, and the axes of its divisions.
+    fn from_parts(photons: Vec<Photon>, axes: &[u8]) -> Self {
+        let mut divisions = vec![Division::default(); axes.len()];
+        find_divisions(&photons, axes, &mut divisions);
+        let coordinate = |chunk: &[Photon], i: usize, axis: usize| {
+            chunk.get(i).map_or(f32::INFINITY, |photon| photon.position[axis])
+        };
+        let block = |chunk: &[Photon]| [0, 1, 2].map(|axis| std::array::from_fn(|i| coordinate(chunk, i, axis)));
+        let blocks = photons.chunks(LEAF).map(block).collect();
         let bounds = bounds(&photons);
         // (The standard library reuses the memory of `photons`.)
         let powers = photons.into_iter().map(|Photon { flux, dir, .. }| PhotonPower { flux, dir }).collect();
-        Self { positions, powers, axes, bounds }
+        Self { blocks, powers, divisions, bounds }
     }
 
-    /// Returns the photons in the order of the tree, each with the axis of its division.
+    /// Returns the photons in the order of the tree; the first of each block with the axis of the division before it.
     pub fn tree(&self) -> impl Iterator<Item = (Photon, u8)> {
         let photon = |i: usize| {
             let PhotonPower { flux, dir } = self.powers[i];
             Photon { position: self.position(i), flux, dir }
         };
-        (0..self.len()).map(move |i| (photon(i), self.axes[i]))
+        let axis = |i: usize| if i.is_multiple_of(LEAF) { self.divisions[i / LEAF].axis } else { 0 };
+        (0..self.len()).map(move |i| (photon(i), axis(i)))
     }
 
     /// Returns the number of photons.
@@ -151,7 +167,7 @@ impl PhotonMap {
     }
 
     fn position(&self, i: usize) -> [f32; 3] {
-        self.positions.each_ref().map(|list| list[i])
+        self.blocks[i / LEAF].map(|list| list[i % LEAF])
     }
 
     /// Finds the at most `count` photons, one or more, nearest to a point within a radius, and returns the radius that they fill: the
@@ -182,22 +198,36 @@ impl PhotonMap {
     }
 }
 
-/// Sorts photons into the order of the tree, and stores the axes of the divisions.
+/// Sorts photons into the order of the tree, and stores the axes of the divisions by the block behind each.
 fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
-    if photons.len() <= LEAF || cancel::is_cancelled() {
+    if axes.len() <= 1 || cancel::is_cancelled() {
         return;
     }
     // Axis along which the photons extend farthest
     let [low, high] = bounds(photons);
     let extent = |i: &usize| high[*i] - low[*i];
     let axis = (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
-    let middle = photons.len() / 2;
-    photons.select_nth_unstable_by(middle, |a, b| a.position[axis].total_cmp(&b.position[axis]));
+    let middle = axes.len() / 2;
+    photons.select_nth_unstable_by(middle * LEAF, |a, b| a.position[axis].total_cmp(&b.position[axis]));
     axes[middle] = axis as u8;
-    let (below, above) = photons.split_at_mut(middle);
+    let (below, above) = photons.split_at_mut(middle * LEAF);
     let (axes_below, axes_above) = axes.split_at_mut(middle);
     sort_into_tree_order(below, axes_below);
-    sort_into_tree_order(&mut above[1..], &mut axes_above[1..]);
+    sort_into_tree_order(above, axes_above);
+}
+
+/// Finds the planes of the divisions of photons in the order of the tree.
+fn find_divisions(photons: &[Photon], axes: &[u8], divisions: &mut [Division]) {
+    if axes.len() <= 1 {
+        return;
+    }
+    let middle = axes.len() / 2;
+    let (below, above) = photons.split_at(middle * LEAF);
+    let axis = axes[middle];
+    let at = above.iter().map(|photon| photon.position[axis as usize]).fold(f32::INFINITY, f32::min);
+    divisions[middle] = Division { at, axis };
+    find_divisions(below, &axes[..middle], &mut divisions[..middle]);
+    find_divisions(above, &axes[middle..], &mut divisions[middle..]);
 }
 
 /// Returns the minimum and maximum coordinates of photons. Of an empty list, the minimum is ∞ and the maximum -∞.
@@ -226,11 +256,9 @@ struct Search<'a> {
 /// A part of the tree that a search has still to visit.
 #[derive(Clone, Copy, Default)]
 struct Pending {
-    /// Range of the part's photons.
+    /// Range of the part's blocks.
     from: u32,
     to: u32,
-    /// Photon that divides the part from its neighbour.
-    middle: u32,
     /// Distance of the point of the search from the part's box along each axis.
     axis_distances: [f32; 3],
 }
@@ -259,70 +287,62 @@ impl Search<'_> {
     /// D. M. Mount, "Algorithms for fast vector quantization", 1993).
     #[inline(always)]
     fn visit_all_portably(&mut self, axis_distances: [f32; 3]) {
-        let mut pending: SmallVec<[Pending; MAX_DEPTH]> = SmallVec::new();
-        let (mut from, mut to, mut apart) = (0, self.map.len(), axis_distances);
+        let mut pending = [Pending::default(); MAX_DEPTH];
+        let mut n_pending = 0;
+        let mut part = Pending { from: 0, to: self.map.blocks.len() as u32, axis_distances };
         loop {
             // Down to the leaf that is nearest to the point
-            while to - from > LEAF {
-                let middle = from + (to - from) / 2;
-                let axis = self.map.axes[middle] as usize;
-                let beyond = self.p[axis] - self.map.positions[axis][middle];
-                let mut apart_of_far = apart;
-                apart_of_far[axis] = beyond;
-                let (below, above) = ((from, middle), (middle + 1, to));
-                let (near, far) = if beyond < 0.0 { (below, above) } else { (above, below) };
-                let [start, end, middle] = [far.0, far.1, middle].map(|i| i as u32);
-                pending.push(Pending { from: start, to: end, middle, axis_distances: apart_of_far });
-                (from, to) = near;
+            while part.to - part.from > 1 {
+                let middle = part.from + (part.to - part.from) / 2;
+                let Division { at, axis } = self.map.divisions[middle as usize];
+                let beyond = self.p[axis as usize] - at;
+                let mut far = part;
+                far.axis_distances[axis as usize] = beyond;
+                if beyond < 0.0 {
+                    (part.to, far.from) = (middle, middle);
+                } else {
+                    (part.from, far.to) = (middle, middle);
+                }
+                pending[n_pending] = far;
+                n_pending += 1;
             }
-            self.visit_leaf(from, to);
+            self.visit_leaf(part.from);
             loop {
-                let Some(part) = pending.pop() else { return };
+                if n_pending == 0 {
+                    return;
+                }
+                n_pending -= 1;
+                part = pending[n_pending];
                 let [x, y, z] = part.axis_distances;
                 if x * x + y * y + z * z < self.limit {
-                    self.visit_one(part.middle as usize);
-                    (from, to, apart) = (part.from as usize, part.to as usize, part.axis_distances);
                     break;
                 }
             }
         }
     }
 
-    /// Adds one photon if it is near enough.
-    #[inline]
-    fn visit_one(&mut self, i: usize) {
-        let position = self.map.position(i);
-        let [x, y, z] = [0, 1, 2].map(|axis| position[axis] - self.p[axis]);
-        let squared = x * x + y * y + z * z;
-        if squared < self.limit {
-            self.add(squared, i as u32);
-        }
-    }
-
-    /// Adds the photons of a range of at most [`LEAF`] that are near enough.
+    /// Adds the photons of a block that are near enough.
     #[inline(always)]
-    fn visit_leaf(&mut self, from: usize, to: usize) {
-        let blocks = self.map.positions.each_ref().map(|list| list[from..].first_chunk::<LEAF>());
-        let [Some(x), Some(y), Some(z)] = blocks else { return };
+    fn visit_leaf(&mut self, number: u32) {
+        let [x, y, z] = &self.map.blocks[number as usize];
         let [px, py, pz] = self.p;
-        // (Loops that the compiler turns into vectors.)
+        // (A loop that the compiler turns into vectors.)
         let mut squared = [0.0; LEAF];
         for i in 0..LEAF {
             let (x, y, z) = (x[i] - px, y[i] - py, z[i] - pz);
             squared[i] = x * x + y * y + z * z;
         }
-        let mut near = 0_u32;
-        for (i, squared) in squared.iter().enumerate() {
-            near |= u32::from(*squared < self.limit) << i;
+        let (limit, mut near) = (Vec4::splat(self.limit), 0);
+        for at in (0..LEAF).step_by(4) {
+            near |= Vec4::from_slice(&squared[at..]).cmplt(limit).bitmask() << at;
         }
-        // Photons beyond the range are ignored.
-        near &= (1 << (to - from)) - 1;
         while near != 0 {
-            let i = near.trailing_zeros() as usize;
+            let i = near.trailing_zeros();
             near &= near - 1;
             // (Photons before have lowered the limit.)
-            if squared[i] < self.limit {
-                self.add(squared[i], (from + i) as u32);
+            let squared = squared[i as usize % LEAF];
+            if squared < self.limit {
+                self.add(squared, number * LEAF as u32 + i);
             }
         }
     }
