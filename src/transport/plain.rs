@@ -116,6 +116,7 @@ impl<'w> Tracer<'w> {
         state.ray = Ray::new(at.point, out);
         (state.level, state.weight, state.is_reflected) = (state.level + 1, bounce.weight, true);
         (state.throughput, state.transparency) = (state.throughput * share, 0.0);
+        state.gather_rank = None;
         state.n_surfaces += 1;
         true
     }

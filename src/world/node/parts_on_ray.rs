@@ -11,27 +11,25 @@ use crate::world::convex_interval::ConvexInterval;
 use crate::world::leaf::{Intersection, Intersections};
 use smallvec::SmallVec;
 
-/// The parts of one composite solid that a ray can hit, with the ray's intervals inside them and hits on them.
+/// The parts of one composite solid that a ray can hit, with the hits on them.
 struct PartsOnRay<'a> {
     /// Range of distances in which hits count.
     range: Range,
     /// Parts that the ray can hit.
     met: SmallVec<[MetPart<'a>; 16]>,
-    /// Intervals of the ray inside the parts, by the part's number; `None` for a part that can't compute its interval,
-    /// and for one that the ray cannot hit.
-    intervals: SmallVec<[Option<ConvexInterval>; 16]>,
     /// Hits on parts that can't compute intervals.
     hits: Intersections<'a>,
     candidates: SmallVec<[Candidate; 16]>,
 }
 
 /// A part that a ray can hit.
-#[derive(Clone, Copy)]
 struct MetPart<'a> {
     node: &'a SolidNode,
     number: u32,
     /// Index of the solid's child that is or contains the part.
     child: u32,
+    /// Interval of the ray inside the part; `None` if the part can't compute it.
+    interval: Option<ConvexInterval>,
 }
 
 /// A hit on a part, which is on the surface of the solid or not.
@@ -135,13 +133,7 @@ impl<'a> PartsOnRay<'a> {
     /// Creates an empty list. (Built in place, because the struct is large.)
     #[inline(always)]
     fn new() -> Self {
-        Self {
-            range: Range::ALL,
-            met: SmallVec::new(),
-            intervals: SmallVec::new(),
-            hits: SmallVec::new(),
-            candidates: SmallVec::new(),
-        }
+        Self { range: Range::ALL, met: SmallVec::new(), hits: SmallVec::new(), candidates: SmallVec::new() }
     }
 
     /// Finds the parts of `solid` that the ray can hit, their intervals and the hits on them within the range.
@@ -173,26 +165,20 @@ impl<'a> PartsOnRay<'a> {
             });
             return;
         }
-        self.met.push(MetPart { node, number: first as u32, child: child as u32 });
-        if let SolidKind::Leaf(leaf) = &node.kind
-            && node.composite.is_none()
-            && let Some(interval) = ConvexInterval::inside_shape_if_known(leaf, ray)
-        {
-            if only_inside {
-                self.range = interval.possible_range(self.range);
-            }
-            while self.intervals.len() <= first {
-                self.intervals.push(None);
-            }
-            self.intervals[first] = Some(interval);
+        let interval = match &node.kind {
+            SolidKind::Leaf(leaf) if node.composite.is_none() => ConvexInterval::inside_shape_if_known(leaf, ray),
+            _ => None,
+        };
+        if let Some(interval) = interval.as_ref().filter(|_| only_inside) {
+            self.range = interval.possible_range(self.range);
         }
+        self.met.push(MetPart { node, number: first as u32, child: child as u32, interval });
     }
 
     /// Adds the hits on part `i` of the list `met` within the range.
     fn add_candidates(&mut self, i: usize, ray: &Ray) {
         let met = i as u32;
-        let MetPart { node, number, .. } = self.met[i];
-        match self.interval(number as usize) {
+        match &self.met[i].interval {
             Some(interval) => {
                 let ends = interval.ends.map(|end| end.t);
                 for (t, index) in ends.into_iter().zip(0..).filter(|(t, _)| self.range.contains(*t)) {
@@ -201,7 +187,7 @@ impl<'a> PartsOnRay<'a> {
             }
             None => {
                 let first = self.hits.len();
-                node.hits_as(true, ray, self.range, &mut self.hits);
+                self.met[i].node.hits_as(true, ray, self.range, &mut self.hits);
                 let added = self.hits[first..].iter().zip(first as u32..);
                 self.candidates.extend(added.map(|(hit, index)| Candidate { t: hit.t(), met, index }));
             }
@@ -216,14 +202,22 @@ impl<'a> PartsOnRay<'a> {
         self.candidates.sort_by(|a, b| a.t.total_cmp(&b.t).then_with(|| child(b).cmp(&child(a))));
     }
 
+    /// Returns the interval of the part with this number; `None` for a part that can't compute its interval, or that the ray
+    /// cannot hit.
     fn interval(&self, number: usize) -> Option<&ConvexInterval> {
-        self.intervals.get(number).and_then(Option::as_ref)
+        let has_number = |met: &MetPart| met.number as usize == number;
+        // Mostly all parts are met in their order.
+        let met = match self.met.get(number) {
+            Some(met) if has_number(met) => met,
+            _ => self.met.iter().find(|met| has_number(met))?,
+        };
+        met.interval.as_ref()
     }
 
     /// Returns the hit of a candidate, as a hit on the object with this number.
     fn intersection(&self, candidate: &Candidate, object: u32) -> Intersection<'a> {
-        let MetPart { node, number, .. } = self.met[candidate.met as usize];
-        match (&node.kind, self.interval(number as usize)) {
+        let MetPart { node, interval, .. } = &self.met[candidate.met as usize];
+        match (&node.kind, interval) {
             (SolidKind::Leaf(leaf), Some(interval)) => {
                 Intersection::new(interval.ends[candidate.index as usize].into(), leaf, object)
             }
