@@ -119,7 +119,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "radiosity_without_highlights",
-        "Rays that gather light for radiosity see no highlights (`phong`, `specular`), also none of photons.",
+        "Rays that gather light for radiosity see no highlights (`phong`, `specular`), neither of light \
+         sources nor of photons.",
         &["light_cases/radiosity_highlights", "light_cases/radiosity_photon_highlights"],
     ),
     differing_quirk(

@@ -24,7 +24,7 @@ pub(super) struct Incidence {
     pub cos: f64,
 }
 
-/// Point of a surface that light sources illuminate, with its layers.
+/// Point of a surface that light sources, photons or other surfaces illuminate, with its layers.
 pub(super) trait LitSurface<'w> {
     fn part(&self) -> &'w Part;
     /// Returns the point in world space.

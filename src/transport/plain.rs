@@ -1,5 +1,5 @@
-//! Plain surfaces, which most rays hit: one opaque layer, which reflects in proportion to the light. Their light is computed
-//! without lists of materials and layers; it is the same, bit by bit, as that by way of [`super::shading_point::ShadingPoint`].
+//! Plain surfaces, the most frequent ones: a single opaque layer whose reflection is proportional to the incoming light.
+//! Shading them needs no lists of materials and layers, and gives the same bits as [`super::shading_point::ShadingPoint`].
 
 use super::direct_light::{LitSurface, emitted_light};
 use super::radiance::Radiance;
@@ -83,8 +83,8 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
 }
 
 impl<'w> Tracer<'w> {
-    /// Adds the light that a point of a plain surface emits, and reflects from light sources and photons, along the ray to
-    /// `sum`.
+    /// Adds to `sum` the light that a plain surface emits, and the light of sources and photons that it reflects along the
+    /// ray.
     pub(super) fn add_plain_light(&mut self, state: &RayState, at: &PlainPoint<'w>, sum: &mut Radiance) {
         let mut light = at.shaded.weight * emitted_light(&at.shaded, self.context.has_ambient);
         self.add_light_of_sources(state, at, &mut light);

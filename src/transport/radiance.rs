@@ -84,7 +84,7 @@ impl<'w> Tracer<'w> {
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
         }
-        // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
+        // A pass that collects radiosity samples ignores the radiance of camera rays.
         let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()

@@ -63,13 +63,13 @@ pub struct Tracer<'w> {
     pub(super) max_trace_level: u32,
     /// Importance below which rays are not traced.
     pub(super) adc_bailout: f64,
-    /// True if a plain surface needs no more than a [`super::plain::PlainPoint`]: at a quality level that shows lights,
-    /// pigments and reflection.
+    /// True if a [`super::plain::PlainPoint`] may shade plain surfaces: at a quality level that shows lights, pigments and
+    /// reflection.
     pub(super) has_plain_points: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
-    /// Photons of the last two searches; kept to save allocations.
-    pub(super) found_photons: [Found; 2],
+    /// Buffers of photon searches, kept from search to search to avoid allocations.
+    pub(super) photon_buffers: [Found; 2],
 }
 
 impl<'w> Tracer<'w> {
@@ -92,7 +92,7 @@ impl<'w> Tracer<'w> {
             adc_bailout: context.world.adc_bailout,
             has_plain_points: quality.lights && quality.pigments && quality.reflection,
             traces_photons: false,
-            found_photons: <[Found; 2]>::default(),
+            photon_buffers: <[Found; 2]>::default(),
         }
     }
 

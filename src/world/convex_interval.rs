@@ -28,13 +28,16 @@ impl ConvexInterval {
     /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
     pub(super) fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
-        let Some(place) = &leaf.place else { return Self::inside_shape_in_place(leaf, ray) };
-        Self::inside_shape_in_place(leaf, &place.inverse_transform_ray(ray))
+        // (Without `Leaf::local`, which would copy the ray.)
+        match &leaf.place {
+            Some(place) => Self::inside_shape_of_local_ray(leaf, &place.inverse_transform_ray(ray)),
+            None => Self::inside_shape_of_local_ray(leaf, ray),
+        }
     }
 
-    /// The same for a ray in the space of the shape.
+    /// Returns where a ray in object space is inside the shape of `leaf`; see [`Self::inside_shape_if_known`].
     #[inline(always)]
-    fn inside_shape_in_place(leaf: &Leaf, local: &Ray) -> Option<Self> {
+    fn inside_shape_of_local_ray(leaf: &Leaf, local: &Ray) -> Option<Self> {
         let (ends, around) = match leaf.shape.crossing(local) {
             Crossing::Unknown => return None,
             Crossing::Misses => (Self::NONE, false),

@@ -205,8 +205,9 @@ fn chapters(source: &Path) -> Vec<PathBuf> {
 /// The examples at the head of the files of shapes and patterns, each with a stage around it.
 fn examples_in_code() -> Vec<(String, Block)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = ["shape", "pattern", "pattern/warp", "pattern/bitmap", "pattern/tiling", "pattern/pavement"]
-        .map(|f| format!("src/{f}"));
+    let folders =
+        ["shape", "shape/text", "pattern", "pattern/warp", "pattern/bitmap", "pattern/tiling", "pattern/pavement"]
+            .map(|f| format!("src/{f}"));
     let mut out = vec![];
     for folder in folders {
         let entries = std::fs::read_dir(root.join(&folder)).into_iter().flatten().flatten();

@@ -34,6 +34,7 @@ struct BoundedCurve {
 struct Bands {
     /// y of the lower edge of the lowest band.
     bottom: f64,
+    /// Number of bands per unit of y; infinite for an outline without height.
     bands_per_unit: f64,
     /// Curve numbers of all bands: those of band `i` are `listed[starts[i]..starts[i + 1]]`.
     listed: Vec<u32>,
@@ -55,7 +56,7 @@ impl Glyph {
         Self { curves, min, max, bands }
     }
 
-    /// Number of the outline's curves.
+    /// Returns the number of curves of the outline.
     pub fn curve_count(&self) -> usize {
         self.curves.len()
     }
@@ -78,8 +79,8 @@ impl Glyph {
         odd
     }
 
-    /// Calls `visit` with the number of each curve whose control points' rectangle overlaps the rectangle from `low`
-    /// to `high`, in no particular order, until it returns `Break`.
+    /// Calls `visit` with the number and the curve, for each curve whose bounding rectangle overlaps the rectangle from
+    /// `low` to `high`, in no particular order, until it returns `Break`.
     pub fn visit_curves_in_rectangle(
         &self,
         low: DVec2,
@@ -113,11 +114,11 @@ impl BoundedCurve {
 
     /// True if the half-line from the point along +x crosses the curve an odd number of times.
     fn is_crossed_oddly(&self, p: DVec2) -> bool {
-        // All control points are above the point, or none is; or all are to the left.
+        // Reject a curve above, below or to the left of the point.
         if p.y < self.min.y || p.y >= self.max.y || p.x >= self.max.x {
             return false;
         }
-        // All control points are to the right: the ends decide.
+        // Right of the point, every crossing counts: the ends decide whether their number is odd.
         if p.x < self.min.x {
             return (self.curve[0].y <= p.y) != (self.curve[2].y <= p.y);
         }
@@ -160,8 +161,8 @@ impl Bands {
         bands
     }
 
-    /// Returns the number of the band at `y`: the first or last one outside of the table. Never decreases with `y`, so
-    /// that rounding separates no point of a curve from the curve's bands.
+    /// Returns the band that contains `y`, or the nearest band for `y` outside of the table. The result never decreases with
+    /// `y`, so that rounding cannot separate a point of a curve from the curve's bands.
     fn band_at(&self, y: f64) -> usize {
         // The conversion turns negative numbers and NaN into 0.
         (((y - self.bottom) * self.bands_per_unit) as usize).min(self.starts.len() - 2)

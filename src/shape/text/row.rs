@@ -76,11 +76,11 @@ impl Row {
         mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>,
     ) -> ControlFlow<()> {
         let mut max = range.max;
-        for letter in self.letters_in_reach(ray, range) {
+        for letter in self.letters_near_ray(ray, range) {
             if letter.bounds.slabs(ray, range).is_some() {
                 let (origin, dir) = (ray.origin - letter.at, ray.dir);
                 let mut search = Search { letter, depth: self.depth, origin, dir, range, max, visit: &mut visit };
-                search.visit_lid_hits()?;
+                search.visit_end_hits()?;
                 search.visit_wall_hits()?;
                 max = search.max;
             }
@@ -89,13 +89,13 @@ impl Row {
     }
 
     /// Returns consecutive letters that include all whose boxes the ray intersects within the range.
-    fn letters_in_reach(&self, ray: &Ray, range: Range) -> &[Letter] {
+    fn letters_near_ray(&self, ray: &Ray, range: Range) -> &[Letter] {
         let all = &self.letters[..];
         if all.len() == 1 {
             return all;
         }
-        // Exclude letters beside the part of the ray in the row's box. This is exact: the products are rounded as in
-        // `slabs`, and every letter's box is in the row's box.
+        // Exclude letters that the ray passes before or after the row's box in x. No hit is lost: the distances are rounded
+        // as in `slabs`, and the row's box contains each letter's box.
         let Some((near, far)) = self.bounds.slabs(ray, range) else { return &[] };
         let (o, inverse) = (ray.origin.x, 1.0 / ray.dir.x);
         let distance = |x: f64| (x - o) * inverse;
@@ -122,17 +122,19 @@ impl Row {
 }
 
 impl<V: FnMut(Hit) -> ControlFlow<(), f64>> Search<'_, V> {
+    /// True if a hit at `t` is in the range and not beyond the distance of interest.
     fn is_of_interest(&self, t: f64) -> bool {
         self.range.contains(t) && t <= self.max
     }
 
+    /// Calls `visit` with a hit on a part of the letter, and stores the new distance of interest.
     fn report(&mut self, t: f64, part: u32, s: f64) -> ControlFlow<()> {
         self.max = (self.visit)(Hit { t, part: self.letter.first_part + part, uv: DVec2::new(s, 0.0) })?;
         ControlFlow::Continue(())
     }
 
-    /// Visits the hits on the front and on the back, first on that which the ray reaches first.
-    fn visit_lid_hits(&mut self) -> ControlFlow<()> {
+    /// Visits the hits on the front and the back, in the order along the ray.
+    fn visit_end_hits(&mut self) -> ControlFlow<()> {
         let (front, back) = ((FRONT, 0.0), (BACK, self.depth));
         for (part, z) in if self.dir.z < 0.0 { [back, front] } else { [front, back] } {
             let t = (z - self.origin.z) / self.dir.z;
@@ -184,8 +186,8 @@ impl<V: FnMut(Hit) -> ControlFlow<(), f64>> Search<'_, V> {
         let (o, d) = (self.origin, self.dir);
         let (t0, t1) = (-o.z / d.z, (self.depth - o.z) / d.z);
         let (near, far) = (t0.min(t1).max(self.range.min), t0.max(t1).min(self.max));
-        // Rounding is proportional to the coordinates. It shifts a hit in the glyph's plane, or along z and thus by
-        // `t_margin` along the ray.
+        // Rounding errors are proportional to the coordinates. An error shifts a hit in the glyph's plane, or along z, which
+        // is `t_margin` along the ray.
         let Glyph { min, max, .. } = *self.letter.glyph;
         let size = o.abs().max_element() + self.depth + min.abs().max(max.abs()).max_element();
         let margin = tolerance::BOUNDS * size;

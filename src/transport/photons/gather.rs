@@ -16,8 +16,8 @@ const EXPANSION: f64 = 3.0;
 const MIN_COS: f64 = 0.05;
 
 impl Photons {
-    /// Finds the photons of an estimate on a surface, and returns the radius that they fill. `farther` is memory for a second
-    /// search.
+    /// Finds the photons of an estimate on a surface, and returns the radius that the photons fill. `farther` is a buffer for
+    /// a second search.
     fn surface_photons_and_radius(&self, p: DVec3, found: &mut Found, farther: &mut Found) -> f64 {
         let [least, most] = self.gather;
         let narrow = self.surface.find_nearest_and_radius(p, self.radius[0], most, found);
@@ -38,7 +38,8 @@ impl Photons {
 }
 
 impl Tracer<'_> {
-    /// Returns the radiance that photons cause by diffuse and specular reflection at a surface.
+    /// Returns the radiance that photons cause by diffuse and specular reflection at a surface. Rays that gather light for
+    /// radiosity see no highlights (quirk: `radiosity_without_highlights`).
     #[inline(never)]
     pub(in super::super) fn photon_light<'s>(&mut self, state: &RayState, surface: &impl LitSurface<'s>) -> Rgb {
         let Some(photons) = &self.context.photons else { return Rgb::ZERO };
@@ -50,41 +51,35 @@ impl Tracer<'_> {
         if !surface.any_layer(reflects) {
             return Rgb::ZERO;
         }
-        let [found, farther] = &mut self.found_photons;
+        let [found, farther] = &mut self.photon_buffers;
         let radius = photons.surface_photons_and_radius(surface.point(), found, farther);
         if found.is_empty() || radius <= 0.0 {
             return Rgb::ZERO;
         }
         let (both_sides, smooth) = (surface.part().double_illuminate, surface.smooth_normal());
-        // quirk: radiosity_without_highlights
         let has_highlights = state.bounces == 0;
         let sum = surface.weighted_layer_sum(|shaded| {
             let finish = &shaded.layer.finish;
             let has_highlights = has_highlights && (finish.phong.strength != 0.0 || finish.specular.strength != 0.0);
-            // Diffuse light from the front and from behind, before it is reflected
-            let (mut front, mut back, mut highlights) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
+            // Sum the terms of `diffuse_factor` without the factors that all photons share
+            let (mut diffuse, mut highlights) = (Rgb::ZERO, Rgb::ZERO);
             for found in found.iter() {
                 let photon = photons.surface.power(found.index());
                 let to_light = -photon.dir();
                 let cos = shaded.normal.dot(to_light);
                 // The density of photons contains the cosine at the smooth surface.
                 let flux = photon.flux() / smooth.dot(to_light).abs().max(MIN_COS);
-                let incident = flux * fp::power(cos.abs(), finish.brilliance);
-                if cos > 0.0 || both_sides {
-                    front += incident;
-                    if has_highlights {
-                        let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
-                        highlights += highlight_factor(shaded, &at) * flux;
-                    }
-                } else {
-                    back += incident;
+                let is_front = cos > 0.0 || both_sides;
+                let amount = if is_front { finish.diffuse } else { finish.diffuse_back };
+                if amount != 0.0 && !shaded.is_translucent {
+                    diffuse += flux * (amount * fp::power(cos.abs(), finish.brilliance));
+                }
+                if is_front && has_highlights {
+                    let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
+                    highlights += highlight_factor(shaded, &at) * flux;
                 }
             }
-            let diffuse = match shaded.is_translucent {
-                true => Rgb::ZERO,
-                false => shaded.color.rgb * shaded.opacity * (front * finish.diffuse + back * finish.diffuse_back),
-            };
-            shaded.weight * (diffuse + highlights)
+            shaded.weight * (shaded.color.rgb * shaded.opacity * diffuse + highlights)
         });
         sum / (PI * radius * radius)
     }
@@ -97,7 +92,7 @@ impl Tracer<'_> {
         if photons.media.is_empty() {
             return Rgb::ZERO;
         }
-        let found = &mut self.found_photons[0];
+        let found = &mut self.photon_buffers[0];
         let radius = photons.media.find_nearest_and_radius(p, photons.radius[1], photons.gather[1], found);
         if radius <= 0.0 {
             return Rgb::ZERO;

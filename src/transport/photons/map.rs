@@ -5,10 +5,11 @@ use crate::color::Rgb;
 use crate::math::{DVec3, cancel};
 use glam::Vec4;
 
-/// Number of photons of a leaf of the tree; the last leaf has fewer.
+/// Number of photons of a leaf of the tree; the last leaf may have fewer.
 const LEAF: usize = 16;
 
-/// Maximum number of divisions above a leaf: each halves the leaves, of which there are at most 2²⁸.
+/// Maximum number of divisions between the root and a leaf: each division halves the number of leaves, which is at most
+/// 2²⁸.
 const MAX_DEPTH: usize = 28;
 
 /// Maximum number of photons around which [`PhotonMap::mean_radius_holding_count`] measures the distance of neighbours.
@@ -62,8 +63,8 @@ impl PhotonPower {
     }
 }
 
-/// A photon that a search has found. Its distance is in the upper 32 bits, its index in the lower ones: the bits of numbers
-/// that are not negative have the order of the numbers.
+/// A photon that a search has found: its squared distance as the upper 32 bits, its index as the lower 32 bits. Floats
+/// that are not negative have the order of their bits, so the order of this type is that of the distances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FoundPhoton(u64);
 
@@ -76,22 +77,22 @@ impl FoundPhoton {
         f32::from_bits((self.0 >> 32) as u32)
     }
 
-    /// Returns the number of the photon, for [`PhotonMap::power`].
+    /// Returns the index of the photon, for [`PhotonMap::power`].
     pub fn index(self) -> u32 {
         self.0 as u32
     }
 }
 
-/// Photons that a search has found; a heap with the farthest photon first when the list is full.
+/// Photons that a search has found; a heap with the farthest photon first once the list holds the maximum number.
 pub type Found = Vec<FoundPhoton>;
 
 /// A balanced kd-tree of photons: each node divides its blocks of [`LEAF`] photons into halves along an axis.
 #[derive(Debug, Default)]
 pub struct PhotonMap {
-    /// Positions of the photons; a search reads hardly anything else. Infinite coordinates fill the last block.
+    /// Positions of the photons, by leaf. Infinite coordinates fill the last block.
     blocks: Vec<Block>,
     powers: Vec<PhotonPower>,
-    /// Divisions of the nodes, by the number of the first block behind the division; the first has no meaning.
+    /// Divisions of the nodes, by the index of the first block behind the plane; entry 0 is unused.
     divisions: Vec<Division>,
     /// Minimum and maximum coordinates of the photons.
     bounds: [[f32; 3]; 2],
@@ -103,7 +104,7 @@ type Block = [[f32; LEAF]; 3];
 /// Plane that divides the photons of a node.
 #[derive(Clone, Copy, Debug, Default)]
 struct Division {
-    /// Coordinate of the plane: the minimum of the photons behind it, and at least that of each photon in front of it.
+    /// Coordinate of the plane: the minimum of the photons behind the plane. No photon in front of it has a larger one.
     at: f32,
     axis: u8,
 }
@@ -141,7 +142,8 @@ impl PhotonMap {
         Self { blocks, powers, divisions, bounds }
     }
 
-    /// Returns the photons in the order of the tree; the first of each block with the axis of the division before it.
+    /// Returns the photons in the order of the tree. The first photon of each block comes with the axis of the division in
+    /// front of the block, other photons with 0.
     pub fn tree(&self) -> impl Iterator<Item = (Photon, u8)> {
         let photon = |i: usize| {
             let PhotonPower { flux, dir } = self.powers[i];
@@ -170,16 +172,16 @@ impl PhotonMap {
         self.blocks[i / LEAF].map(|list| list[i % LEAF])
     }
 
-    /// Finds the at most `count` photons, one or more, nearest to a point within a radius, and returns the radius that they fill: the
-    /// distance of the farthest one if there are `count`, the radius of the search otherwise.
+    /// Finds the `count` photons nearest to a point within a radius, or all if there are fewer, and returns the radius that
+    /// they fill: the distance of the farthest photon if there are `count`, `radius` otherwise. `count` must not be 0.
     pub fn find_nearest_and_radius(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
         found.clear();
         let mut search = Search { map: self, p: p.as_vec3().to_array(), limit: (radius * radius) as f32, count, found };
         let [low, high] = self.bounds;
-        let apart = [0, 1, 2].map(|i| (low[i] - search.p[i]).max(search.p[i] - high[i]).max(0.0));
-        let [x, y, z] = apart;
-        if x * x + y * y + z * z < search.limit {
-            search.visit_all(apart);
+        let axis_distances = [0, 1, 2].map(|i| (low[i] - search.p[i]).max(search.p[i] - high[i]).max(0.0));
+        let [x, y, z] = axis_distances;
+        if !self.is_empty() && x * x + y * y + z * z < search.limit {
+            search.visit_all(axis_distances);
         }
         f64::from(search.limit).sqrt()
     }
@@ -198,7 +200,8 @@ impl PhotonMap {
     }
 }
 
-/// Sorts photons into the order of the tree, and stores the axes of the divisions by the block behind each.
+/// Sorts photons into the order of the tree, and stores the axis of each division at the index of the first block behind
+/// it.
 fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
     if axes.len() <= 1 || cancel::is_cancelled() {
         return;
@@ -253,11 +256,12 @@ struct Search<'a> {
     found: &'a mut Found,
 }
 
-/// A part of the tree that a search has still to visit.
+/// A part of the tree that a search has not visited yet.
 #[derive(Clone, Copy, Default)]
 struct Pending {
-    /// Range of the part's blocks.
+    /// First block of the part.
     from: u32,
+    /// End of the part: the index after its last block.
     to: u32,
     /// Distance of the point of the search from the part's box along each axis.
     axis_distances: [f32; 3],
@@ -276,22 +280,23 @@ impl Search<'_> {
         self.visit_all_portably(axis_distances);
     }
 
-    /// The same, compiled for processors with wider vectors. Sums have the same order, so the results are equal.
+    /// [`Self::visit_all_portably`], compiled for AVX2. The order of the sums is the same, so the results are equal.
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn visit_all_avx2(&mut self, axis_distances: [f32; 3]) {
         self.visit_all_portably(axis_distances);
     }
 
-    /// Visits the leaves of the tree, from the nearest on, as far as they can contain photons within the limit (S. Arya and
-    /// D. M. Mount, "Algorithms for fast vector quantization", 1993).
+    /// Visits the leaves of the tree depth-first, at each division the side of the point first, and skips parts that are not
+    /// nearer than the limit. Each division updates the distance along one axis (S. Arya and D. M. Mount, "Algorithms for
+    /// fast vector quantization", 1993).
     #[inline(always)]
     fn visit_all_portably(&mut self, axis_distances: [f32; 3]) {
         let mut pending = [Pending::default(); MAX_DEPTH];
         let mut n_pending = 0;
         let mut part = Pending { from: 0, to: self.map.blocks.len() as u32, axis_distances };
         loop {
-            // Down to the leaf that is nearest to the point
+            // Descend to the leaf on the point's side of each division
             while part.to - part.from > 1 {
                 let middle = part.from + (part.to - part.from) / 2;
                 let Division { at, axis } = self.map.divisions[middle as usize];

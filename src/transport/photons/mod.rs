@@ -11,7 +11,7 @@ use super::context::FrameContext;
 use crate::scene::PhotonMapSettings;
 use crate::world::{LightSource, World};
 use emission::{Job, Plan};
-pub use map::Found;
+pub(super) use map::Found;
 use map::{Photon, PhotonMap};
 
 /// Radius of a search, as a multiple of the mean distance of the farthest photon of an estimate.

@@ -17,6 +17,9 @@ pub(super) struct Boxes {
     pub(super) surface: Aabb,
     /// Box around all points that are inside the solid.
     pub(super) solid: Aabb,
+    /// Box around all points that are outside of the solid; finite for an inverted shape.
+    #[serde(skip)]
+    pub(super) outside: Aabb,
 }
 
 impl SolidNode {
@@ -27,15 +30,16 @@ impl SolidNode {
             (Some(composite), _) => composite.boxes,
             (None, SolidKind::Leaf(leaf)) => {
                 let (surface, solid) = leaf.surface_and_solid_bounds();
-                Boxes { surface, solid }
+                let is_unbounded = leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse;
+                Boxes { surface, solid, outside: if is_unbounded { Aabb::INFINITE } else { surface } }
             }
-            (None, _) => Boxes { surface: Aabb::EMPTY, solid: Aabb::EMPTY },
+            (None, _) => Boxes { surface: Aabb::EMPTY, solid: Aabb::EMPTY, outside: Aabb::INFINITE },
         }
     }
 
     /// True if inside points exist outside of the box [`SolidNode::bounds`].
     pub(in crate::world) fn inside_exceeds_bounds(&self) -> bool {
-        let Boxes { surface, solid } = self.boxes();
+        let Boxes { surface, solid, .. } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
     }
 
@@ -133,8 +137,8 @@ impl SolidNode {
             });
         }
         // A child is relevant to a ray within the box of its surface, and to a point where it can be the exception.
-        let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
-            SolidKind::Intersection(_) => boxes.surface.union(c.bounds_of_outside()),
+        let reach = |boxes: &Boxes| match &self.kind {
+            SolidKind::Intersection(_) => boxes.surface.union(boxes.outside),
             _ => boxes.surface.union(boxes.solid),
         };
         let is_known = |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.has_no_clips_or_bounds() && leaf.shape.computes_crossings());
@@ -142,14 +146,19 @@ impl SolidNode {
             SolidKind::Leaf(_) | SolidKind::Union(_) => false,
             SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),
         };
-        let child_bvh =
-            ChildBvh::build_if_many(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
+        let child_bvh = ChildBvh::build_if_many(&inner.iter().map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // For many children the hierarchy is faster.
         let convex_parts = known && child_bvh.is_none();
-        let boxes = Boxes { surface, solid };
-        let outside = if clip.is_empty() { self.bounds_of_outside() } else { Aabb::INFINITE };
+        let outside = inner.iter().map(|boxes| boxes.outside);
+        let outside = match &self.kind {
+            _ if !clip.is_empty() => Aabb::INFINITE,
+            SolidKind::Leaf(_) => self.boxes().outside,
+            SolidKind::Intersection(_) => outside.fold(Aabb::EMPTY, Aabb::union),
+            SolidKind::Union(_) | SolidKind::Merge(_) => outside.fold(Aabb::INFINITE, Aabb::intersection),
+        };
+        let boxes = Boxes { surface, solid, outside };
         let parts = PartNumbers::new(self.children());
-        let data = CompositeData { clip, bounds, unseen, boxes, outside, parts, convex_parts, child_bvh };
+        let data = CompositeData { clip, bounds, unseen, boxes, parts, convex_parts, child_bvh };
         self.composite = Some(Box::new(data));
     }
 
@@ -159,25 +168,6 @@ impl SolidNode {
         let bounds = self.take_bounding_solids().into_iter().chain(bounds).collect();
         let clip = self.drop_composite_and_take_clips().into_iter().chain(clips).collect();
         self.set_solids_and_boxes(clip, bounds, Box::default());
-    }
-
-    /// Returns a box around all points that are outside of the solid; finite for an inverted shape.
-    fn bounds_of_outside(&self) -> Aabb {
-        if let Some(composite) = &self.composite {
-            return composite.outside;
-        }
-        match &self.kind {
-            SolidKind::Leaf(leaf) if leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse => {
-                Aabb::INFINITE
-            }
-            SolidKind::Leaf(_) => self.bounds(),
-            SolidKind::Intersection(children) => {
-                children.iter().map(SolidNode::bounds_of_outside).fold(Aabb::EMPTY, Aabb::union)
-            }
-            SolidKind::Union(children) | SolidKind::Merge(children) => {
-                children.iter().map(SolidNode::bounds_of_outside).fold(Aabb::INFINITE, Aabb::intersection)
-            }
-        }
     }
 }
 

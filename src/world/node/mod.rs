@@ -12,7 +12,7 @@ mod parts_on_ray;
 use super::child_bvh::ChildBvh;
 use super::convex_interval;
 use super::leaf::{Intersection, Intersections, Leaf};
-use crate::math::{Aabb, DVec3, Range, Ray};
+use crate::math::{DVec3, Range, Ray};
 use crate::shape::{Hit, Hits};
 use boxes::Boxes;
 use parts_on_ray::PartNumbers;
@@ -43,9 +43,7 @@ struct CompositeData {
     unseen: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
-    /// Box around all points outside of the solid.
-    #[serde(skip)]
-    outside: Aabb,
+    /// Numbers of the parts, for [`SolidNode::closest_of_parts`].
     #[serde(skip)]
     parts: PartNumbers,
     /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
@@ -331,7 +329,7 @@ impl SolidNode {
         }
     }
 
-    /// Returns the closest hit on the shape of a clipped leaf that is not clipped away.
+    /// Returns the closest hit on a clipped shape that is inside all clipping solids.
     fn closest_of_clipped_leaf(&self, leaf: &Leaf, ray: &Ray, range: Range) -> Option<Hit> {
         let range = self.range_in_box_and_clips(ray, range)?;
         let mut hits = Hits::new();

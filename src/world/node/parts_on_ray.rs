@@ -1,9 +1,9 @@
 //! Hits of a ray on an intersection or merge of any parts.
 //!
-//! The parts of a composite solid are its bare shapes, also those of intersections, merges and unions within it, and
-//! each clipped solid within it as a whole. They have numbers in the order in which they are written. A ray
-//! is intersected with each part once; which of the hits are on the surface of the solid then follows from the
-//! intervals of the ray inside the other parts.
+//! The parts of a composite solid are the shapes in it, at any depth of nested intersections, merges and unions. A nested
+//! solid that is clipped or has invisible parts is one part. Parts are numbered in the order of the tree. A ray is
+//! intersected with each part once; the intervals of the ray inside the other parts then decide which hits are on the
+//! solid's surface.
 
 use super::{SolidKind, SolidNode};
 use crate::math::{DVec3, Range, Ray};
@@ -16,15 +16,17 @@ struct PartsOnRay<'a> {
     /// Range of distances in which hits count.
     range: Range,
     /// Parts that the ray can hit.
-    met: SmallVec<[MetPart<'a>; 16]>,
+    parts: SmallVec<[PartOnRay<'a>; 16]>,
     /// Hits on parts that can't compute intervals.
     hits: Intersections<'a>,
+    /// Hits on the parts within the range, whether or not they are on the solid's surface.
     candidates: SmallVec<[Candidate; 16]>,
 }
 
 /// A part that a ray can hit.
-struct MetPart<'a> {
+struct PartOnRay<'a> {
     node: &'a SolidNode,
+    /// Number of the part in the solid.
     number: u32,
     /// Index of the solid's child that is or contains the part.
     child: u32,
@@ -32,14 +34,14 @@ struct MetPart<'a> {
     interval: Option<ConvexInterval>,
 }
 
-/// A hit on a part, which is on the surface of the solid or not.
+/// A hit on a part, before the test whether the hit is on the solid's surface.
 #[derive(Clone, Copy)]
 struct Candidate {
     t: f64,
-    /// Index of the part in [`PartsOnRay::met`].
-    met: u32,
-    /// Which end of the part's interval, or index in [`PartsOnRay::hits`] if the part has no interval.
-    index: u32,
+    /// Index of the part in [`PartsOnRay::parts`].
+    part: u32,
+    /// Index of the end in the part's interval, or index in [`PartsOnRay::hits`] if the part has no interval.
+    hit: u32,
 }
 
 /// A point on a ray.
@@ -73,8 +75,9 @@ impl SolidNode {
         out.extend(kept.map(|candidate| parts.intersection(candidate, self.object)));
     }
 
-    /// True if the node is one part of the composite solid around it: a shape, a clipped solid, or one with invisible parts.
-    fn is_one_part(&self) -> bool {
+    /// True if the node counts as a single part of the solid that contains it: a shape, a clipped solid, or a solid with
+    /// invisible parts.
+    fn is_single_part(&self) -> bool {
         matches!(self.kind, SolidKind::Leaf(_)) || !self.clip().is_empty() || !self.invisible_parts().is_empty()
     }
 
@@ -82,9 +85,9 @@ impl SolidNode {
         self.composite.as_ref().map(|composite| &composite.parts)
     }
 
-    /// Returns the number of parts in this node.
+    /// Returns the number of parts in this node; 1 for a single part.
     fn n_parts(&self) -> usize {
-        if self.is_one_part() { 1 } else { self.part_numbers().map_or(0, |numbers| numbers.n_parts) }
+        if self.is_single_part() { 1 } else { self.part_numbers().map_or(0, |numbers| numbers.n_parts) }
     }
 
     /// Returns the number of the first part of child `i`, relative to the first part of this node.
@@ -93,7 +96,7 @@ impl SolidNode {
         first.map_or(i, |&number| number as usize)
     }
 
-    /// Returns the index of the child that contains the part with this number, relative to the first part of this node.
+    /// Returns the index of the child that contains part `number`; parts are counted from the first part of this node.
     fn child_with_part(&self, number: usize) -> usize {
         match self.part_numbers() {
             Some(PartNumbers { first, .. }) if !first.is_empty() => {
@@ -107,7 +110,7 @@ impl SolidNode {
 /// Numbers of the parts of a composite solid.
 #[derive(Clone, Debug)]
 pub(super) struct PartNumbers {
-    /// Number of the first part of each child; an empty list if each child is one part, so that its index is the number.
+    /// Number of the first part of each child; empty if each child is a single part, whose number is its index.
     first: Box<[u32]>,
     n_parts: usize,
 }
@@ -115,7 +118,7 @@ pub(super) struct PartNumbers {
 impl PartNumbers {
     /// Numbers the parts of the children of a composite solid.
     pub(super) fn new(children: &[SolidNode]) -> Self {
-        if children.iter().all(SolidNode::is_one_part) {
+        if children.iter().all(SolidNode::is_single_part) {
             return Self { first: Box::default(), n_parts: children.len() };
         }
         let mut n_parts = 0;
@@ -133,7 +136,7 @@ impl<'a> PartsOnRay<'a> {
     /// Creates an empty list. (Built in place, because the struct is large.)
     #[inline(always)]
     fn new() -> Self {
-        Self { range: Range::ALL, met: SmallVec::new(), hits: SmallVec::new(), candidates: SmallVec::new() }
+        Self { range: Range::ALL, parts: SmallVec::new(), hits: SmallVec::new(), candidates: SmallVec::new() }
     }
 
     /// Finds the parts of `solid` that the ray can hit, their intervals and the hits on them within the range.
@@ -141,26 +144,31 @@ impl<'a> PartsOnRay<'a> {
         let only_inside = matches!(solid.kind, SolidKind::Intersection(_));
         solid.each_child_on_ray(ray, range, |i, child, range| {
             self.range = self.range.intersection(range);
-            self.add_met_parts(child, (i, solid.first_part_of_child(i)), ray, only_inside);
+            self.add_parts(child, (i, solid.first_part_of_child(i)), ray, only_inside);
             self.range
         });
         if self.range.is_empty() {
             return;
         }
-        for i in 0..self.met.len() {
+        // (A hierarchy visits children in an order that depends on the ray.)
+        if !self.parts.is_sorted_by_key(|part| part.number) {
+            self.parts.sort_unstable_by_key(|part| part.number);
+        }
+        for i in 0..self.parts.len() {
             self.add_candidates(i, ray);
         }
     }
 
-    /// Adds the parts in `node`, the first of which has the number `first`, as parts of the solid's child `child`. If hits
-    /// count only inside of the node (`only_inside`), shrinks the range to its interval.
-    fn add_met_parts(&mut self, node: &'a SolidNode, (child, first): (usize, usize), ray: &Ray, only_inside: bool) {
-        if !node.is_one_part() {
+    /// Adds the parts of `node` that the ray can hit. `child` is the index of the solid's child that is or contains `node`,
+    /// and `first` the number of the node's first part. With `only_inside`, hits count only inside `node`: the range
+    /// shrinks to the node's interval.
+    fn add_parts(&mut self, node: &'a SolidNode, (child, first): (usize, usize), ray: &Ray, only_inside: bool) {
+        if !node.is_single_part() {
             if !node.crosses_all_bounds(ray) {
                 return;
             }
             node.each_child_on_ray(ray, self.range, |i, part, range| {
-                self.add_met_parts(part, (child, first + node.first_part_of_child(i)), ray, false);
+                self.add_parts(part, (child, first + node.first_part_of_child(i)), ray, false);
                 range
             });
             return;
@@ -172,65 +180,65 @@ impl<'a> PartsOnRay<'a> {
         if let Some(interval) = interval.as_ref().filter(|_| only_inside) {
             self.range = interval.possible_range(self.range);
         }
-        self.met.push(MetPart { node, number: first as u32, child: child as u32, interval });
+        self.parts.push(PartOnRay { node, number: first as u32, child: child as u32, interval });
     }
 
-    /// Adds the hits on part `i` of the list `met` within the range.
+    /// Adds the hits on the part with the index `i` in the list `parts` within the range.
     fn add_candidates(&mut self, i: usize, ray: &Ray) {
-        let met = i as u32;
-        match &self.met[i].interval {
+        let part = i as u32;
+        match &self.parts[i].interval {
             Some(interval) => {
                 let ends = interval.ends.map(|end| end.t);
-                for (t, index) in ends.into_iter().zip(0..).filter(|(t, _)| self.range.contains(*t)) {
-                    self.candidates.push(Candidate { t, met, index });
+                for (t, hit) in ends.into_iter().zip(0..).filter(|(t, _)| self.range.contains(*t)) {
+                    self.candidates.push(Candidate { t, part, hit });
                 }
             }
             None => {
                 let first = self.hits.len();
-                self.met[i].node.hits_as(true, ray, self.range, &mut self.hits);
+                self.parts[i].node.hits_as(true, ray, self.range, &mut self.hits);
                 let added = self.hits[first..].iter().zip(first as u32..);
-                self.candidates.extend(added.map(|(hit, index)| Candidate { t: hit.t(), met, index }));
+                self.candidates.extend(added.map(|(found, hit)| Candidate { t: found.t(), part, hit }));
             }
         }
     }
 
-    /// Sorts the candidates by distance. Of candidates at the same distance, those on the last child of the solid come first
-    /// (quirk: `last_part_wins`), and those on the same child stay in their order.
+    /// Sorts the candidates by distance; at equal distances, the last child of the solid comes first (quirk:
+    /// `last_part_wins`), and hits on the same child keep the order of their parts.
     fn sort_candidates(&mut self) {
-        let met = &self.met;
-        let child = |candidate: &Candidate| met[candidate.met as usize].child;
+        let parts = &self.parts;
+        let child = |candidate: &Candidate| parts[candidate.part as usize].child;
         self.candidates.sort_by(|a, b| a.t.total_cmp(&b.t).then_with(|| child(b).cmp(&child(a))));
     }
 
     /// Returns the interval of the part with this number; `None` for a part that can't compute its interval, or that the ray
     /// cannot hit.
     fn interval(&self, number: usize) -> Option<&ConvexInterval> {
-        let has_number = |met: &MetPart| met.number as usize == number;
-        // Mostly all parts are met in their order.
-        let met = match self.met.get(number) {
-            Some(met) if has_number(met) => met,
-            _ => self.met.iter().find(|met| has_number(met))?,
+        // Usually every part is in the list, so that its number is its index.
+        let i = match self.parts.get(number) {
+            Some(part) if part.number as usize == number => number,
+            _ => self.parts.binary_search_by_key(&number, |part| part.number as usize).ok()?,
         };
-        met.interval.as_ref()
+        self.parts[i].interval.as_ref()
     }
 
     /// Returns the hit of a candidate, as a hit on the object with this number.
     fn intersection(&self, candidate: &Candidate, object: u32) -> Intersection<'a> {
-        let MetPart { node, interval, .. } = &self.met[candidate.met as usize];
+        let PartOnRay { node, interval, .. } = &self.parts[candidate.part as usize];
         match (&node.kind, interval) {
             (SolidKind::Leaf(leaf), Some(interval)) => {
-                Intersection::new(interval.ends[candidate.index as usize].into(), leaf, object)
+                Intersection::new(interval.ends[candidate.hit as usize].into(), leaf, object)
             }
-            _ => Intersection { object, ..self.hits[candidate.index as usize] },
+            _ => Intersection { object, ..self.hits[candidate.hit as usize] },
         }
     }
 
     /// True if a hit on a part is on the surface of the whole solid before clipping.
     fn is_on_surface_of_solid(&self, solid: &SolidNode, candidate: &Candidate, at: &PointOnRay) -> bool {
-        self.is_on_surface(solid, 0, self.met[candidate.met as usize].number as usize, at)
+        self.is_on_surface(solid, 0, self.parts[candidate.part as usize].number as usize, at)
     }
 
-    /// True if a hit on the part with the number `part` is on the surface of `node`, whose first part has the number `first`.
+    /// True if a hit on part `part` of the solid is on the surface of `node`, which contains that part. `first` is the number
+    /// of the node's first part.
     fn is_on_surface(&self, node: &SolidNode, first: usize, part: usize, at: &PointOnRay) -> bool {
         let child = node.child_with_part(part - first);
         let inside = |i: usize, other: &SolidNode| self.contains(other, first + node.first_part_of_child(i), at);
@@ -241,13 +249,13 @@ impl<'a> PartsOnRay<'a> {
         };
         let hit_child = &node.children()[child];
         is_kept
-            && (hit_child.is_one_part()
+            && (hit_child.is_single_part()
                 || self.is_on_surface(hit_child, first + node.first_part_of_child(child), part, at))
     }
 
-    /// True if a point of the ray is inside `node`, whose first part has the number `first`.
+    /// True if the point of the ray is inside `node`, whose first part has the number `first`.
     fn contains(&self, node: &SolidNode, first: usize, at: &PointOnRay) -> bool {
-        if node.is_one_part() {
+        if node.is_single_part() {
             let known = self.interval(first).and_then(|interval| interval.contains(at.t));
             return known.unwrap_or_else(|| node.inside(at.point));
         }
@@ -255,13 +263,102 @@ impl<'a> PartsOnRay<'a> {
         if !composite.boxes.solid.contains(at.point) {
             return false;
         }
-        if !composite.outside.contains(at.point) {
+        if !composite.boxes.outside.contains(at.point) {
             return true;
         }
         let inside = |i: usize, part: &SolidNode| self.contains(part, first + node.first_part_of_child(i), at);
         match &node.kind {
             SolidKind::Intersection(_) => node.all_other_children_near(at.point, usize::MAX, inside),
             _ => !node.all_other_children_near(at.point, usize::MAX, |i, part| !inside(i, part)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rng::Stream;
+    use crate::math::{Aabb, Transform};
+    use crate::shape::Shape;
+    use crate::world::Leaf;
+
+    /// Returns a box that is turned about two axes.
+    fn brick(min: [f64; 3], max: [f64; 3]) -> SolidNode {
+        let shape = Shape::from(Aabb { min: DVec3::from_array(min), max: DVec3::from_array(max) });
+        SolidNode::leaf(Leaf::new(shape, &Transform::rotate(DVec3::new(20.0, 0.0, 35.0)), 0), 0)
+    }
+
+    /// Returns overlapping bricks in a row along x. No two of different rows have a face in common.
+    fn row(n: usize) -> SolidNode {
+        let size = 0.013 * n as f64;
+        let bricks = (0..n).map(|i| {
+            let x = 0.3 * i as f64 - 1.4 + size;
+            brick([x, -0.7 - 0.01 * x, -0.61 - size], [x + 0.37, 0.5 + 0.02 * x, 0.63 + size])
+        });
+        SolidNode::merge(bricks.collect(), 0)
+    }
+
+    fn nested_solids() -> [SolidNode; 4] {
+        let whole = || brick([-1.03, -1.02, -1.01], [1.04, 1.05, 1.06]);
+        let clipped = || {
+            brick([-0.2, -2.0, -0.21], [0.22, 2.0, 0.23]).clipped(vec![brick([-0.5, -0.52, -0.53], [0.54, 0.55, 0.56])])
+        };
+        let empty = || SolidNode::union(vec![], 0);
+        let mixed = || SolidNode::merge(vec![empty(), row(3), clipped(), empty(), row(10), empty()], 0);
+        [
+            SolidNode::intersection(vec![whole(), mixed()], 0),
+            SolidNode::difference(vec![whole(), mixed(), row(2)], 0),
+            SolidNode::merge(vec![clipped(), SolidNode::difference(vec![whole(), row(9)], 0), row(2)], 0),
+            SolidNode::difference(vec![whole(), SolidNode::intersection(vec![row(11), mixed()], 0)], 0),
+        ]
+    }
+
+    /// Returns the distances at which a ray enters or leaves the solid: those of hits on any shape of the solid, close to
+    /// which one point of the ray is inside and another is outside.
+    fn expected_distances(solid: &SolidNode, ray: &Ray, range: Range) -> Vec<f64> {
+        let mut all = vec![];
+        solid.visit_all_shape_hits(ray, range, &mut |hit| all.push(hit.t()));
+        all.retain(|t| solid.inside(ray.at(t - 1e-7)) != solid.inside(ray.at(t + 1e-7)));
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    #[test]
+    fn hits_are_where_a_ray_enters_or_leaves_the_solid() {
+        let (mut random, mut n_hits) = (Stream::new(&[41]), 0);
+        for (number, solid) in nested_solids().into_iter().enumerate() {
+            for _ in 0..2000 {
+                let mut any = || DVec3::from_array([(); 3].map(|()| 4.0 * random.next_random() - 2.0));
+                let (origin, target) = (any(), 0.5 * any());
+                let ray = Ray::new(origin, (target - origin).normalize());
+                let expected = expected_distances(&solid, &ray, Range::FORWARD);
+                let mut found = Intersections::new();
+                solid.hits(&ray, Range::FORWARD, &mut found);
+                let mut found: Vec<f64> = found.iter().map(Intersection::t).collect();
+                found.sort_by(f64::total_cmp);
+                // (Rays through the edge of two bricks have hits that are too close together for the comparison.)
+                if expected.windows(2).all(|pair| pair[1] - pair[0] > 1e-6) {
+                    assert_eq!(found, expected, "{number}: {ray:?}");
+                    assert_eq!(solid.closest(&ray, Range::FORWARD).map(|hit| hit.t()), expected.first().copied());
+                    n_hits += found.len();
+                }
+            }
+        }
+        assert!(n_hits > 8000, "{n_hits}");
+    }
+
+    #[test]
+    fn numbers_of_parts_skip_empty_solids() {
+        for solid in nested_solids() {
+            let mut next = 0;
+            for (i, child) in solid.children().iter().enumerate() {
+                assert_eq!(solid.first_part_of_child(i), next);
+                for number in next..next + child.n_parts() {
+                    assert_eq!(solid.child_with_part(number), i);
+                }
+                next += child.n_parts();
+            }
+            assert_eq!(solid.n_parts(), next);
         }
     }
 }
