@@ -28,8 +28,8 @@ pub type Digest = [u8; DIGEST];
 /// Kind of the records in a file of saved light: photons or radiosity samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightKind {
-    /// Photons on surfaces, and then photons in media. Record: position, flux and direction, 3 × `f32` each, and the axis of
-    /// the division in the tree.
+    /// Photons on surfaces, and then photons in media. Record: position, flux and direction, 3 × `f32` each, and for the first
+    /// photon of a leaf of the tree the axis of the division in front of the leaf, else 0.
     Photons,
     /// Samples of radiosity. Record: point, normal, light, and direction to the nearest surface, 3 × `f64` each, the
     /// radius, the distance to the nearest surface, and the number of bounces.

@@ -85,14 +85,15 @@ impl<'w> Tracer<'w> {
             state.attenuate(&air);
         }
         // A pass that collects radiosity samples ignores the radiance of camera rays.
-        let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
+        let is_ignored =
+            state.bounces == 0 && self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()
             && material.is_plain
             && self.has_plain_points
             && let Some(at) = PlainPoint::new(self.context.world, part, &state.ray, &hit)
         {
-            if state.bounces > 0 || !is_collecting {
+            if !is_ignored {
                 self.add_plain_light(state, &at, sum);
             }
             if self.context.radiosity.is_some() {
@@ -107,7 +108,7 @@ impl<'w> Tracer<'w> {
         // Light that the surface itself sends
         let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };
         let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, quality, &interface);
-        if state.bounces > 0 || !is_collecting {
+        if !is_ignored {
             sum.rgb += state.throughput * self.emitted_and_direct_light(state, &shading);
         }
         if self.context.radiosity.is_some() {

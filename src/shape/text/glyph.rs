@@ -122,23 +122,7 @@ impl BoundedCurve {
         if p.x < self.min.x {
             return (self.curve[0].y <= p.y) != (self.curve[2].y <= p.y);
         }
-        let [a, b, c] = self.curve.map(|q| q - p);
-        // y(s) = (a - 2b + c)·s² + 2(b - a)·s + a has at most one extremum.
-        let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
-        let mut odd = false;
-        let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
-            if (y0 <= 0.0) != (y1 <= 0.0) {
-                odd ^= curve_point([a, b, c], bernstein_quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
-            }
-        };
-        if turn > 0.0 && turn < 1.0 {
-            let top = curve_point([a, b, c], turn).y;
-            piece(0.0, a.y, turn, top);
-            piece(turn, top, 1.0, c.y);
-        } else {
-            piece(0.0, a.y, 1.0, c.y);
-        }
-        odd
+        curve_is_crossed_oddly(self.curve.map(|q| q - p))
     }
 }
 
@@ -173,6 +157,26 @@ impl Bands {
     }
 }
 
+/// True if the half-line from the origin along +x crosses the curve an odd number of times.
+pub fn curve_is_crossed_oddly([a, b, c]: Curve) -> bool {
+    // y(s) = (a - 2b + c)·s² + 2(b - a)·s + a has at most one extremum.
+    let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
+    let mut odd = false;
+    let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
+        if (y0 <= 0.0) != (y1 <= 0.0) {
+            odd ^= curve_point([a, b, c], bernstein_quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
+        }
+    };
+    if turn > 0.0 && turn < 1.0 {
+        let top = curve_point([a, b, c], turn).y;
+        piece(0.0, a.y, turn, top);
+        piece(turn, top, 1.0, c.y);
+    } else {
+        piece(0.0, a.y, 1.0, c.y);
+    }
+    odd
+}
+
 /// Returns the curve's turning points along x and y, combined by `better` (componentwise minimum or maximum). The
 /// curve's start replaces a turning point that is not between the ends.
 fn extremum_of_turning_points(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
@@ -188,7 +192,7 @@ pub fn curve_point([a, b, c]: Curve, s: f64) -> DVec2 {
 }
 
 /// Returns the only root of (1 - s)²·a + 2s(1 - s)·b + s²·c between s0 and s1.
-pub fn bernstein_quadratic_root_between(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
+fn bernstein_quadratic_root_between(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
     let middle = (s0 + s1) / 2.0;
     let off = |s: &f64| (s - middle).abs();
     match solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) {

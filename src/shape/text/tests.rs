@@ -1,6 +1,7 @@
-use super::glyph::{bernstein_quadratic_root_between, curve_point};
+use super::glyph::{curve_is_crossed_oddly, curve_point};
 use super::row::Letter;
 use super::*;
+use crate::math::rng::Stream;
 use crate::math::solve_quadratic;
 use crate::shape::testing::all_hits;
 
@@ -72,24 +73,8 @@ fn outline_contains_by_all_curves(glyph: &Glyph, p: DVec2) -> bool {
     if p.y < glyph.min.y || p.y > glyph.max.y || p.x < glyph.min.x || p.x > glyph.max.x {
         return false;
     }
-    let mut odd = false;
-    for number in 0..glyph.curve_count() {
-        let [a, b, c] = glyph.curve(number).map(|q| q - p);
-        let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
-        let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
-            if (y0 <= 0.0) != (y1 <= 0.0) {
-                odd ^= curve_point([a, b, c], bernstein_quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
-            }
-        };
-        if turn > 0.0 && turn < 1.0 {
-            let top = curve_point([a, b, c], turn).y;
-            piece(0.0, a.y, turn, top);
-            piece(turn, top, 1.0, c.y);
-        } else {
-            piece(0.0, a.y, 1.0, c.y);
-        }
-    }
-    odd
+    let is_crossed = |number: &usize| curve_is_crossed_oddly(glyph.curve(*number).map(|q| q - p));
+    (0..glyph.curve_count()).filter(is_crossed).count() % 2 == 1
 }
 
 /// Appends the hits on one letter by all curves of its outline.
@@ -131,19 +116,11 @@ fn hits_by_all_curves(text: &Text, ray: &Ray, range: Range) -> Vec<Hit> {
     out
 }
 
-/// Returns a sequence of pseudorandom numbers from 0 to 1.
-fn random_numbers() -> impl FnMut() -> f64 {
-    let mut state = 1_u64;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 40) as f64 / (1_u64 << 24) as f64
-    }
-}
-
 #[test]
 fn bands_agree_with_all_curves() {
     let shape = text("Og8&%Ql-ix");
-    let mut random = random_numbers();
+    let mut stream = Stream::new(&[1525]);
+    let mut random = || stream.next_random();
     for letter in &shape.row.letters {
         let glyph = &letter.glyph;
         let corners: Vec<DVec2> = (0..glyph.curve_count()).flat_map(|number| *glyph.curve(number)).collect();
@@ -168,7 +145,8 @@ fn bands_agree_with_all_curves() {
 
 /// Asserts that all kinds of queries along random rays agree with all curves of all letters.
 fn assert_hits_agree_with_all_curves(shape: &Text) {
-    let mut random = random_numbers();
+    let mut stream = Stream::new(&[1525]);
+    let mut random = || stream.next_random();
     let mut count = 0;
     for k in 0..4000 {
         let mut vector = |size: DVec3| (DVec3::new(random(), random(), random()) - 0.5) * size;

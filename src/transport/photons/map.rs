@@ -120,10 +120,10 @@ impl PhotonMap {
         Self::from_parts(photons, &axes)
     }
 
-    /// Creates a map from the photons and axes of [`Self::tree`].
+    /// Creates a map from the photons and axes of [`Self::tree`]; axes are below 3.
     pub fn from_tree(photons: impl Iterator<Item = (Photon, u8)>) -> Self {
         let (photons, axes): (Vec<Photon>, Vec<u8>) = photons.unzip();
-        let axes: Vec<u8> = axes.into_iter().step_by(LEAF).map(|axis| axis.min(2)).collect();
+        let axes: Vec<u8> = axes.into_iter().step_by(LEAF).collect();
         Self::from_parts(photons, &axes)
     }
 

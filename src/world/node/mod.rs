@@ -248,7 +248,7 @@ impl SolidNode {
                 } else {
                     leaf.hits(ray, range, &mut hits);
                 }
-                // (A loop: the compiler makes `extend` a call, which takes 2 % of a scene with media.)
+                // (A loop, because the compiler makes `extend` a call here.)
                 for hit in &hits {
                     out.push(Intersection::new(*hit, leaf, self.object));
                 }

@@ -28,8 +28,6 @@ struct PartOnRay<'a> {
     node: &'a SolidNode,
     /// Number of the part in the solid.
     number: u32,
-    /// Index of the solid's child that is or contains the part.
-    child: u32,
     /// Interval of the ray inside the part; `None` if the part can't compute it.
     interval: Option<ConvexInterval>,
 }
@@ -56,7 +54,7 @@ impl SolidNode {
     pub(super) fn closest_of_parts<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut parts = PartsOnRay::new();
         parts.collect(self, ray, range);
-        parts.sort_candidates();
+        parts.sort_candidates(self);
         let kept = parts.candidates.iter().find(|candidate| {
             let at = PointOnRay { t: candidate.t, point: ray.at(candidate.t) };
             parts.is_on_surface_of_solid(self, candidate, &at) && self.is_inside_all_clips(at.point)
@@ -144,7 +142,7 @@ impl<'a> PartsOnRay<'a> {
         let only_inside = matches!(solid.kind, SolidKind::Intersection(_));
         solid.each_child_on_ray(ray, range, |i, child, range| {
             self.range = self.range.intersection(range);
-            self.add_parts(child, (i, solid.first_part_of_child(i)), ray, only_inside);
+            self.add_parts(child, solid.first_part_of_child(i), ray, only_inside);
             self.range
         });
         if self.range.is_empty() {
@@ -159,16 +157,15 @@ impl<'a> PartsOnRay<'a> {
         }
     }
 
-    /// Adds the parts of `node` that the ray can hit. `child` is the index of the solid's child that is or contains `node`,
-    /// and `first` the number of the node's first part. With `only_inside`, hits count only inside `node`: the range
-    /// shrinks to the node's interval.
-    fn add_parts(&mut self, node: &'a SolidNode, (child, first): (usize, usize), ray: &Ray, only_inside: bool) {
+    /// Adds the parts of `node` that the ray can hit; `first` is the number of the node's first part. With `only_inside`,
+    /// hits count only inside `node`: the range shrinks to the node's interval.
+    fn add_parts(&mut self, node: &'a SolidNode, first: usize, ray: &Ray, only_inside: bool) {
         if !node.is_single_part() {
             if !node.crosses_all_bounds(ray) {
                 return;
             }
             node.each_child_on_ray(ray, self.range, |i, part, range| {
-                self.add_parts(part, (child, first + node.first_part_of_child(i)), ray, false);
+                self.add_parts(part, first + node.first_part_of_child(i), ray, false);
                 range
             });
             return;
@@ -180,7 +177,7 @@ impl<'a> PartsOnRay<'a> {
         if let Some(interval) = interval.as_ref().filter(|_| only_inside) {
             self.range = interval.possible_range(self.range);
         }
-        self.parts.push(PartOnRay { node, number: first as u32, child: child as u32, interval });
+        self.parts.push(PartOnRay { node, number: first as u32, interval });
     }
 
     /// Adds the hits on the part with the index `i` in the list `parts` within the range.
@@ -202,11 +199,11 @@ impl<'a> PartsOnRay<'a> {
         }
     }
 
-    /// Sorts the candidates by distance; at equal distances, the last child of the solid comes first (quirk:
+    /// Sorts the candidates by distance; at equal distances, the last child of `solid` comes first (quirk:
     /// `last_part_wins`), and hits on the same child keep the order of their parts.
-    fn sort_candidates(&mut self) {
+    fn sort_candidates(&mut self, solid: &SolidNode) {
         let parts = &self.parts;
-        let child = |candidate: &Candidate| parts[candidate.part as usize].child;
+        let child = |candidate: &Candidate| solid.child_with_part(parts[candidate.part as usize].number as usize);
         self.candidates.sort_by(|a, b| a.t.total_cmp(&b.t).then_with(|| child(b).cmp(&child(a))));
     }
 
