@@ -116,7 +116,8 @@ impl Turbulence {
 /// Noise of `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this
 /// function with the scene's generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
-    let raw = if generator == NoiseGenerator::Perlin { perlin::scalar_noise(p) } else { wide::scalar_at(p) };
+    let raw =
+        if generator == NoiseGenerator::Perlin { perlin::scalar_noise(p) } else { wide::scalar_at(p.x, p.y, p.z) };
     to_generator_range(raw, generator)
 }
 
@@ -143,7 +144,7 @@ fn to_generator_range(raw: f64, generator: NoiseGenerator) -> f64 {
 /// Returns the vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on
 /// average. It is independent of the generator.
 pub fn noise_vector(p: DVec3) -> DVec3 {
-    wide::vector_at(p)
+    wide::vector_at(p.x, p.y, p.z)
 }
 
 /// Scalar turbulence at a point, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2

@@ -1,5 +1,6 @@
 //! Chooses between [`super::value`] and its AVX2 implementation. Both give the same bits. Each caller has a number, so
-//! that it has a copy of the noise of its own, which the compiler inlines: a call would pass points through memory.
+//! that it has a copy of the noise of its own, which the compiler inlines. A single point is passed as three numbers: a
+//! vector would be passed through memory, and processors wait when they load at once what was stored in pieces.
 
 use super::super::DVec3;
 use super::{Turbulence, value};
@@ -30,8 +31,8 @@ macro_rules! twins {
 
 twins! {
     /// Computes the noise [`value::scalar_noise`] at a point, with AVX2 if the processor has it.
-    scalar_at(scalar_noise; p: DVec3) -> f64 {
-        scalar_noise::<0>(p)
+    scalar_at(scalar_noise; x: f64, y: f64, z: f64) -> f64 {
+        scalar_noise::<0>(DVec3::new(x, y, z))
     }
 }
 
@@ -46,8 +47,8 @@ twins! {
 
 twins! {
     /// Computes the vector noise [`value::vector_noise`], with AVX2 if the processor has it.
-    vector_at(vector_noise; p: DVec3) -> DVec3 {
-        vector_noise::<0>(p)
+    vector_at(vector_noise; x: f64, y: f64, z: f64) -> DVec3 {
+        vector_noise::<0>(DVec3::new(x, y, z))
     }
 }
 
@@ -78,8 +79,11 @@ mod tests {
             let (scalar_noise, vector) = (value::scalar_noise::<0>(*p), value::vector_noise::<0>(*p));
             // (The payload of a NaN does not matter.)
             let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
-            assert!(same(*out, scalar_noise) && same(scalar_at(*p), scalar_noise), "{p}");
-            assert!(vector_at(*p).to_array().into_iter().zip(vector.to_array()).all(|(a, b)| same(a, b)), "{p}");
+            assert!(same(*out, scalar_noise) && same(scalar_at(p.x, p.y, p.z), scalar_noise), "{p}");
+            assert!(
+                vector_at(p.x, p.y, p.z).to_array().into_iter().zip(vector.to_array()).all(|(a, b)| same(a, b)),
+                "{p}"
+            );
         }
     }
 }
