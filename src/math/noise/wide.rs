@@ -1,6 +1,7 @@
 //! Chooses between [`super::value`] and its AVX2 implementation. Both give the same bits. Each caller has a number, so
-//! that it has a copy of the noise of its own, which the compiler inlines. A single point is passed as three numbers: a
-//! vector would be passed through memory, and processors wait when they load at once what was stored in pieces.
+//! that it has a copy of the noise of its own, which the compiler inlines. Functions for a single point take its
+//! coordinates as three numbers, in registers. A `DVec3` would be passed through memory: the caller writes coordinates
+//! one by one, the noise reads two at once, and the processor's store forwarding fails.
 
 use super::super::DVec3;
 use super::{Turbulence, value};
