@@ -62,11 +62,15 @@ pub struct FieldParams<'a> {
     pub modifiers: &'a Modifiers,
     /// Parameters of the pattern's `turbulence`.
     pub turbulence: &'a TurbulenceParams,
+    /// End of the start of the map in which its value is constant. In place of a number below it, a pattern may return
+    /// any other that is below it and not negative.
+    pub constant_below: f64,
 }
 
 impl FieldParams<'_> {
     /// Parameters of a pattern without modifiers and turbulence.
-    pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &TurbulenceParams::STILL };
+    pub const NONE: Self =
+        Self { modifiers: &Modifiers::NONE, turbulence: &TurbulenceParams::STILL, constant_below: 0.0 };
 }
 
 /// Colours of most patterns without a colour map: black to white.

@@ -22,12 +22,16 @@ impl Readable for Granite {
     }
 }
 
+/// Weight of the last octave: the first one has the weight 1.
+const WEIGHT_OF_LAST: f64 = 0.03125;
+
 impl Field for Granite {
     fn value(&self, at: &TextureContext) -> f64 {
         // six octaves, each half as strong and twice as fine, of the distance of the noise from its mean
-        let octaves = noise::clamped_octaves::<6>(at.p * 4.0, at.noise);
-        let far = octaves.iter().rev().fold(0.0, |sum, noise| 0.5 * sum + (0.5 - noise).abs());
-        far.min(1.0)
+        let step = |(sum, weight): (f64, f64), noise: f64| {
+            noise::continue_if(weight > WEIGHT_OF_LAST, (sum + weight * (0.5 - noise).abs(), 0.5 * weight))
+        };
+        noise::fold_clamped_octaves(at.p * 4.0, at.noise, (0.0, 1.0), step).0.min(1.0)
     }
 
     fn value_bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {

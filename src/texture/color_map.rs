@@ -20,6 +20,18 @@ impl ColorMap {
         }
     }
 
+    /// Returns the number below which the map's colour is constant.
+    pub fn end_of_constant_start(&self) -> f64 {
+        let mut end = self.entries[0].0;
+        for pair in self.entries.windows(2) {
+            if pair[1].0 < end || pair[1].1 != pair[0].1 {
+                break;
+            }
+            end = pair[1].0;
+        }
+        end.min(self.entries[self.entries.len() - 1].0)
+    }
+
     /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with these
     /// bounds.
     pub fn component_bounds_for(&self, numbers: LocalBounds) -> [LocalBounds; 5] {
@@ -86,5 +98,32 @@ impl ColorMap {
         let map = Self { entries };
         warn_if_map_descends(r, span, &map);
         Ok(map)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_are_constant_up_to_the_end_of_the_constant_start() {
+        let map = |entries: &[(f64, Color)]| ColorMap { entries: entries.to_vec() };
+        let (a, b) = (Color::BLACK, Color::WHITE);
+        let maps = [
+            (map(&[(0.2, a)]), 0.2),
+            (map(&[(0.2, a), (0.7, b)]), 0.2),
+            (map(&[(0.0, a), (0.5, a), (0.7, b), (0.9, a)]), 0.5),
+            (map(&[(0.0, a), (0.5, a), (0.5, b)]), 0.5),
+            // entries in descending order
+            (map(&[(0.4, a), (0.8, a), (0.6, a), (0.9, b)]), 0.8),
+            (map(&[(0.0, a), (0.8, a), (0.6, b)]), 0.6),
+        ];
+        for (map, end) in maps {
+            assert_eq!(map.end_of_constant_start(), end);
+            for i in 0..1000 {
+                let number = f64::from(i) / 1000.0 * end;
+                assert_eq!(map.color_at(number), a, "{number} of {end}");
+            }
+        }
     }
 }

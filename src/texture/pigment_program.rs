@@ -30,7 +30,9 @@ struct PigmentNode {
 #[derive(Clone, Debug, Serialize)]
 enum Shows {
     Solid(Color),
-    Colors(Arc<ColorMap>),
+    /// Colour map, and the number below which a pattern need not compute numbers exactly
+    /// ([`FieldParams::constant_below`](crate::pattern::FieldParams::constant_below)).
+    Colors(Arc<ColorMap>, #[serde(skip)] f64),
     /// Selection from other pigments, by the indices of their nodes.
     Pigments(Blend<u32>),
     Image(Arc<ImageMap>),
@@ -60,7 +62,7 @@ impl PigmentProgram {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
             _ if pattern.is_average() || (pattern.receives_uv() && !uv_mapped_by_texture) => false,
-            Shows::Solid(_) | Shows::Colors(_) => false,
+            Shows::Solid(_) | Shows::Colors(..) => false,
             Shows::Image(image) => !image.covers_point(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
                 let (number, inner) = pattern.number_and_entry_context(ctx);
@@ -87,7 +89,7 @@ impl PigmentProgram {
     pub fn color_bounds_near(&self, ctx: &TextureContext, radius: f64) -> [LocalBounds; 5] {
         match self.nodes.last() {
             Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(LocalBounds::constant),
-            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
+            Some(PigmentNode { shows: Shows::Colors(map, _), pattern }) => {
                 map.component_bounds_for(pattern.value_bounds_near(ctx, radius))
             }
             _ => [LocalBounds::UNKNOWN; 5],
@@ -114,7 +116,7 @@ impl PigmentProgram {
     /// Returns the pigment's pattern if the pigment is black outside of the pattern's support.
     fn pattern_if_black_outside(&self) -> Option<&PatternProgram> {
         match self.nodes.last() {
-            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
+            Some(PigmentNode { shows: Shows::Colors(map, _), pattern }) => {
                 let outside = pattern.number_outside_support()?;
                 (map.color_at(outside).rgb == Rgb::ZERO).then_some(pattern)
             }
@@ -126,7 +128,7 @@ impl PigmentProgram {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
             Shows::Solid(color) => *color,
-            Shows::Colors(map) => map.color_at(pattern.pattern_number_at(ctx)),
+            Shows::Colors(map, constant_below) => map.color_at(pattern.pattern_number_for_map(ctx, *constant_below)),
             Shows::Image(image) => image.color_at(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
                 let (number, inner) = pattern.number_and_entry_context(ctx);
@@ -192,7 +194,10 @@ fn push_nodes_returning_root(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) ->
             Shows::Solid(Color::BLACK)
         }
         Paint::Solid(color) => Shows::Solid(*color),
-        Paint::Colors(map) => Shows::Colors(map.clone()),
+        Paint::Colors(map) => {
+            let unchanged = pigment.pattern.modifiers.keep_unit_interval();
+            Shows::Colors(map.clone(), if unchanged { map.end_of_constant_start() } else { 0.0 })
+        }
         Paint::Image(image) => Shows::Image(image.clone()),
         Paint::Pigments(parts) => Shows::Pigments(
             parts.map_runs(Pigment::is_certainly_equal, |entry| push_nodes_returning_root(entry, nodes)),

@@ -4,7 +4,7 @@
 //! durer always computes the right ones.
 
 use super::super::Interval;
-use crate::math::noise::{NoiseGenerator, noise};
+use crate::math::noise::{self, NoiseGenerator, noise};
 use crate::math::{DVec3, fp};
 
 /// Maximum number of octaves of noise: more would only add rounding errors, and take too long.
@@ -20,78 +20,77 @@ pub fn f_noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator))
 }
 
-/// Noise from -1 to 1 at a point.
-fn signed_noise(p: DVec3, generator: NoiseGenerator) -> f64 {
-    2.0 * noise(p, generator) - 1.0
+/// Octaves of noise from 0 to 1: that of the point p, and those of its multiples by the powers of `lacunarity`.
+struct NoiseOctaves {
+    p: DVec3,
+    lacunarity: f64,
+    /// Number of octaves; there is at least one, and a fraction counts as one.
+    count: f64,
+    /// Number of the noise generator in scenes.
+    generator: f64,
+}
+
+impl NoiseOctaves {
+    /// Folds all octaves; `step` also receives their indices.
+    fn fold<T>(&self, start: T, step: impl Fn(T, f64, f64) -> T) -> T {
+        let generator = NoiseGenerator::from_generator_number(self.generator);
+        let count = self.count;
+        let step = |(state, i): (T, f64), noise| {
+            let next = i + 1.0;
+            noise::continue_if(next < count, (step(state, i, noise), next))
+        };
+        noise::fold_octaves(self.p, self.lacunarity, generator, (start, 0.0), step).0
+    }
 }
 
 /// Internal function `f_hetero_mf`: Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the
 /// altitude that scales the next octave.
 pub fn f_hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
-    let mut value = offset + signed_noise(p, generator);
-    let (mut i, mut weight, factor) = (1.0, 1.0, fp::pow(lacunarity, -h));
-    let mut increment = || {
-        p *= lacunarity;
-        weight *= factor;
-        (signed_noise(p, generator) + offset) * weight
+    let (whole, rest) = (octaves.ceil().max(1.0), octaves - octaves.floor());
+    let (power, factor) = (t.clamp(0.0, 64.0) as i32, fp::pow(lacunarity, -h));
+    // As in Musgrave's function, a fraction of an octave is added after a whole one.
+    let count = if rest > 0.0 { whole + 1.0 } else { whole };
+    let step = |(value, weight): (f64, f64), i: f64, noise: f64| {
+        let increment = (2.0 * noise - 1.0 + offset) * weight;
+        let next = if i == 0.0 {
+            increment
+        } else if i < whole {
+            increment * value.powi(power)
+        } else {
+            rest * increment * value
+        };
+        (value + next, weight * factor)
     };
-    let power = t.clamp(0.0, 64.0) as i32;
-    while i < octaves {
-        value += increment() * value.powi(power);
-        i += 1.0;
-    }
-
-    // The remaining fraction of an octave, as in Musgrave's function.
-    let rest = octaves - octaves.floor();
-    if rest > 0.0 { value + rest * increment() * value } else { value }
+    NoiseOctaves { p: DVec3::new(x, y, z), lacunarity, count, generator }.fold((0.0, 1.0), step).0
 }
 
 /// Internal function `f_ridged_mf`: Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
 pub fn f_ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
-    let ridge = |p: DVec3| {
-        let height = offset - signed_noise(p, generator).abs();
-        height * height
+    let factor = fp::pow(lacunarity, -h);
+    // `share` is the part of an octave that remains where the one before it is low.
+    let step = |(sum, weight, share): (f64, f64, f64), _, noise: f64| {
+        let height = offset - (2.0 * noise - 1.0).abs();
+        let signal = height * height * share;
+        (sum + signal * weight, weight * factor, (signal * gain).clamp(0.0, 1.0))
     };
-    let mut signal = ridge(p);
-    let mut sum = signal;
-    let (mut i, mut weight, factor) = (1.0, 1.0, fp::pow(lacunarity, -h));
-    while i < octaves.min(MOST_OCTAVES) {
-        p *= lacunarity;
-        weight *= factor;
-        signal = ridge(p) * (signal * gain).clamp(0.0, 1.0);
-        sum += signal * weight;
-        i += 1.0;
-    }
-    sum
+    let count = octaves.min(MOST_OCTAVES);
+    NoiseOctaves { p: DVec3::new(x, y, z), lacunarity, count, generator }.fold((0.0, 1.0, 1.0), step).0
 }
 
 /// Internal function `f_ridge`: The mean of octaves of |noise - ridge|, minus the offset; both differences are divided
-/// by the larger of the two parts into which the ridge divides the range from 0 to 1.
+/// by the larger of the two parts into which the ridge divides the range from 0 to 1. A fraction of an octave has that
+/// weight.
 pub fn f_ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
-    let height = |p: DVec3| (noise(p, generator) - ridge).abs() / ridge.max(1.0 - ridge);
-    let (mut sum, mut weights, mut weight) = (height(p), 1.0, 1.0);
-    let mut add = |share: f64| {
-        p *= lambda;
-        weight *= omega;
-        sum += share * weight * height(p);
-        weights += share * weight;
+    let (whole, rest) = (octaves.floor().max(1.0), octaves - octaves.floor());
+    let step = |(sum, weights, weight): (f64, f64, f64), i, noise: f64| {
+        let height = (noise - ridge).abs() / ridge.max(1.0 - ridge);
+        let share = if i < whole { weight } else { rest * weight };
+        (sum + share * height, weights + share, weight * omega)
     };
-    let mut i = 1.0;
-    while i < octaves.floor() {
-        add(1.0);
-        i += 1.0;
-    }
-
-    // The fraction of an octave has that weight.
-    let rest = octaves - octaves.floor();
-    if rest > 0.0 {
-        add(rest);
-    }
+    let all = NoiseOctaves { p: DVec3::new(x, y, z), lacunarity: lambda, count: whole + rest, generator };
+    let (sum, weights, _) = all.fold((0.0, 0.0, 1.0), step);
     (sum / weights - offset) / offset.max(1.0 - offset)
 }
 

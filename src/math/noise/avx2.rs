@@ -1,10 +1,12 @@
 //! [`super::value`] for AVX2, with four numbers at once: the operations of the portable code in the same order, and
 //! none are fused, so that pictures have the same bytes on every machine.
 
+#![expect(clippy::extra_unused_type_parameters, reason = "each caller has a copy of its own: see `super::wide`")]
+
 use super::super::DVec3;
 use super::lattice::ROUND;
-use super::tables::{CORNERS, Row};
-use super::value::{LANES, corner_hashes};
+use super::tables::{CORNERS, Row, RowStart};
+use super::value::{corner_rows, vector_rows};
 use std::arch::x86_64::*;
 
 #[target_feature(enable = "avx2")]
@@ -26,11 +28,11 @@ fn lerp(a: __m256d, b: __m256d, s: __m256d) -> __m256d {
     multiply_add(a, s, _mm256_sub_pd(b, a))
 }
 
-/// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell:
+/// Returns the table row of each corner of the lattice cell that contains a point, and the point's position in the cell:
 /// [`super::lattice::lattice_cell_and_position`] of all coordinates at once.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn corner_hashes_and_position(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
+fn corner_rows_and_position(p: DVec3) -> ([RowStart; 8], __m256d) {
     let p = _mm256_setr_pd(p.x, p.y, p.z, 0.0);
     let round = _mm256_set1_pd(ROUND);
     let rounded = _mm256_add_pd(p, round);
@@ -41,7 +43,7 @@ fn corner_hashes_and_position(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
     let cells = _mm256_add_epi64(_mm256_castpd_si256(rounded), _mm256_castpd_si256(above));
     let [x, y, z] =
         [_mm256_extract_epi64::<0>(cells), _mm256_extract_epi64::<1>(cells), _mm256_extract_epi64::<2>(cells)];
-    (corner_hashes([x as usize, y as usize, z as usize]), _mm256_sub_pd(p, floor))
+    (corner_rows([x as usize, y as usize, z as usize]), _mm256_sub_pd(p, floor))
 }
 
 /// Computes the s-curve of [`super::lattice::s_curve`] in each lane.
@@ -64,25 +66,24 @@ fn broadcast_components(v: __m256d) -> [__m256d; 3] {
 /// `far`: twice the number of the corner.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn corner_contributions<const FAR: i32>(hashes: &[[usize; 4]; 2], near: __m256d, far: __m256d) -> __m256d {
-    let corner = FAR as usize / 2;
-    let row = load_row(&CORNERS[hashes[corner >> 2][corner & 3] & 0xff]);
+fn corner_contributions<const FAR: i32>(rows: &[RowStart; 8], near: __m256d, far: __m256d) -> __m256d {
+    let row = load_row(rows[FAR as usize / 2].row_after::<0, _>(&CORNERS));
     _mm256_mul_pd(row, _mm256_blend_pd::<FAR>(near, far))
 }
 
 /// Computes [`super::value::scalar_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
-    let (hashes, t) = corner_hashes_and_position(p);
+pub fn scalar_noise<Caller>(p: DVec3) -> f64 {
+    let (rows, t) = corner_rows_and_position(p);
     let near = _mm256_blend_pd::<1>(_mm256_permute4x64_pd::<0x93>(t), _mm256_set1_pd(1.0));
     let far = _mm256_sub_pd(near, _mm256_setr_pd(0.0, 1.0, 1.0, 1.0));
     let [sx, sy, sz] = broadcast_components(s_curve(t));
     let along_x = [
-        lerp(corner_contributions::<0>(&hashes, near, far), corner_contributions::<2>(&hashes, near, far), sx),
-        lerp(corner_contributions::<4>(&hashes, near, far), corner_contributions::<6>(&hashes, near, far), sx),
-        lerp(corner_contributions::<8>(&hashes, near, far), corner_contributions::<10>(&hashes, near, far), sx),
-        lerp(corner_contributions::<12>(&hashes, near, far), corner_contributions::<14>(&hashes, near, far), sx),
+        lerp(corner_contributions::<0>(&rows, near, far), corner_contributions::<2>(&rows, near, far), sx),
+        lerp(corner_contributions::<4>(&rows, near, far), corner_contributions::<6>(&rows, near, far), sx),
+        lerp(corner_contributions::<8>(&rows, near, far), corner_contributions::<10>(&rows, near, far), sx),
+        lerp(corner_contributions::<12>(&rows, near, far), corner_contributions::<14>(&rows, near, far), sx),
     ];
     let sum = lerp(lerp(along_x[0], along_x[1], sy), lerp(along_x[2], along_x[3], sy), sz);
     // (value + x) + (y + z)
@@ -93,15 +94,14 @@ pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
 /// Computes [`super::value::vector_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
-    let (hashes, t) = corner_hashes_and_position(p);
+pub fn vector_noise<Caller>(p: DVec3) -> DVec3 {
+    let (rows, t) = corner_rows_and_position(p);
     // Twice the coordinates, so that values need no halving: the sum is halved instead, which rounds nothing.
     let twice = |v: __m256d| broadcast_components(_mm256_add_pd(v, v));
     let (near, far) = (twice(t), twice(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };
     let corner = |i: usize| {
-        let at = hashes[i >> 2][i & 3] & 0xff;
-        let [v, gx, gy, gz] = [0, 1, 2, 3].map(|place: usize| load_row(&LANES[at + place]));
+        let [v, gx, gy, gz] = vector_rows(rows[i]).map(|row| load_row(row));
         multiply_add(multiply_add(multiply_add(v, gx, along(0, i)), gy, along(1, i)), gz, along(2, i))
     };
     let [sx, sy, sz] = broadcast_components(s_curve(t));

@@ -19,6 +19,7 @@ pub use cells::{Around, Cell};
 
 use super::DVec3;
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// Noise generator of a scene, the argument of `noise_generator` (manual, "Noise Generators").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
@@ -121,17 +122,39 @@ pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
     to_generator_range(raw, generator)
 }
 
-/// Computes [`noise`] at several points.
-fn noise_at_points(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
-    if generator == NoiseGenerator::Perlin {
-        points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar_noise(*p));
-    } else {
-        wide::scalars(points, out);
+/// Folds octaves of [`noise`] until `step` breaks: the noise at the point, and at its multiples by the powers of
+/// `lacunarity`. (This is faster than single calls of [`noise`].)
+#[inline]
+pub fn fold_octaves<T>(
+    p: DVec3,
+    lacunarity: f64,
+    generator: NoiseGenerator,
+    start: T,
+    step: impl Fn(T, f64) -> ControlFlow<T, T>,
+) -> T {
+    // Each generator has a loop of its own, so that none decides in each round which it is.
+    match generator {
+        NoiseGenerator::Original => wide::fold_octaves(p.x, p.y, p.z, lacunarity, start, |state, raw| {
+            step(state, to_generator_range(raw, NoiseGenerator::Original))
+        }),
+        NoiseGenerator::RangeCorrected => wide::fold_octaves(p.x, p.y, p.z, lacunarity, start, |state, raw| {
+            step(state, to_generator_range(raw, NoiseGenerator::RangeCorrected))
+        }),
+        NoiseGenerator::Perlin => {
+            let (mut frequency, mut state) = (1.0, start);
+            loop {
+                match step(state, to_generator_range(perlin::scalar_noise(p * frequency), generator)) {
+                    ControlFlow::Continue(next) => state = next,
+                    ControlFlow::Break(end) => return end,
+                }
+                frequency *= lacunarity;
+            }
+        }
     }
-    out.iter_mut().for_each(|raw| *raw = to_generator_range(*raw, generator));
 }
 
 /// Maps raw noise to the generator's range.
+#[inline(always)]
 fn to_generator_range(raw: f64, generator: NoiseGenerator) -> f64 {
     let unbounded = match generator {
         NoiseGenerator::Original => raw + 0.5,
@@ -150,30 +173,34 @@ pub fn noise_vector(p: DVec3) -> DVec3 {
 /// Scalar turbulence at a point, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2
 /// noise - 0.5, of which POV-Ray clamps the first one only.
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
-    let count = turbulence.octaves as usize;
-    let mut weights = [0.0; MAX_OCTAVES];
-    let mut points = [p; MAX_OCTAVES];
-    for (i, (frequency, weight)) in turbulence.octaves().enumerate() {
-        (points[i], weights[i]) = (p * frequency, weight);
-    }
-    let mut each = [0.0; MAX_OCTAVES];
-    noise_at_points(&points[..count], generator, &mut each[..count]);
-    (0..count).map(|i| weights[i] * to_turbulence_range(each[i], generator, i == 0)).sum()
+    let (omega, count) = (turbulence.omega, turbulence.octaves);
+    let step = |(sum, weight, done): (f64, f64, u32), noise| {
+        let sum = sum + weight * to_turbulence_range(noise, generator, done == 0);
+        continue_if(done + 1 < count, (sum, weight * omega, done + 1))
+    };
+    fold_octaves(p, turbulence.lambda, generator, (0.0, 1.0, 0), step).0
 }
 
-/// Returns N octaves of noise, each clamped to [0, 1] and twice as fine as the one before, for `granite` and
+/// Folds octaves of noise until `step` breaks, each clamped to [0, 1] and twice as fine as the one before: for `granite` and
 /// `wrinkles`.
-pub fn clamped_octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
-    let mut points = [p; N];
-    for i in 1..N {
-        points[i] = points[i - 1] * 2.0;
-    }
-    let mut out = [0.0; N];
-    noise_at_points(&points, generator, &mut out);
-    out.map(|noise| to_turbulence_range(noise, generator, true))
+#[inline]
+pub fn fold_clamped_octaves<T>(
+    p: DVec3,
+    generator: NoiseGenerator,
+    start: T,
+    step: impl Fn(T, f64) -> ControlFlow<T, T>,
+) -> T {
+    fold_octaves(p, 2.0, generator, start, |state, noise| step(state, to_turbulence_range(noise, generator, true)))
+}
+
+/// Continues a fold with a state if the condition is true, else ends it.
+#[inline]
+pub fn continue_if<T>(condition: bool, state: T) -> ControlFlow<T, T> {
+    if condition { ControlFlow::Continue(state) } else { ControlFlow::Break(state) }
 }
 
 /// Maps [`noise`] to its range in turbulence; `clamp` clamps it to [0, 1].
+#[inline(always)]
 fn to_turbulence_range(noise: f64, generator: NoiseGenerator, clamp: bool) -> f64 {
     match (generator, clamp) {
         (NoiseGenerator::Original, _) => noise,
@@ -185,7 +212,7 @@ fn to_turbulence_range(noise: f64, generator: NoiseGenerator, clamp: bool) -> f6
 /// Returns the vector turbulence of `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence
 /// T` displaces p by T times this vector.
 pub fn vturbulence(p: DVec3, turbulence: Turbulence) -> DVec3 {
-    wide::turbulence(p, turbulence)
+    wide::turbulence(p.x, p.y, p.z, turbulence)
 }
 
 #[cfg(test)]

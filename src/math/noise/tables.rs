@@ -17,6 +17,68 @@ impl Random {
 /// Hash table of noise generators 1 and 2: a permutation of 0 to 4095.
 pub static HASH: [u16; 4096] = shuffled_indices();
 
+/// Where the rows of the lattice points begin, by the index that [`HASH`] has, too: four times the low 8 bits of its
+/// entries.
+static STARTS: [u16; 4096] = starts_of_rows();
+
+/// Index into the hash table of noise generators 1 and 2: a number below 4096.
+#[derive(Clone, Copy)]
+pub struct HashIndex(usize);
+
+impl HashIndex {
+    /// Returns the index with the low 12 bits of a number.
+    #[inline(always)]
+    pub fn from_low_bits(i: usize) -> Self {
+        Self(i & 0xfff)
+    }
+
+    /// Returns the bitwise exclusive or of two indices.
+    #[inline(always)]
+    pub fn xor(self, other: Self) -> Self {
+        Self(self.0 ^ other.0)
+    }
+
+    /// Returns the hash table's entry, which is an index of the same table.
+    #[inline(always)]
+    pub fn hash(self) -> Self {
+        Self(usize::from(self.entry_of(&HASH)))
+    }
+
+    /// Returns the row of the lattice point whose hash is the table's entry.
+    #[inline(always)]
+    pub fn row(self) -> RowStart {
+        RowStart(usize::from(self.entry_of(&STARTS)))
+    }
+
+    #[inline(always)]
+    fn entry_of(self, table: &[u16; 4096]) -> u16 {
+        // SAFETY: `from_low_bits` makes numbers below 4096, entries of `HASH` are below 4096, and so is what `xor`
+        // makes of both.
+        #[expect(unsafe_code, reason = "masks or bounds checks for 14 lookups take a tenth of the noise's time")]
+        unsafe {
+            *table.get_unchecked(self.0)
+        }
+    }
+}
+
+/// Where a lattice point's row begins in [`CORNERS`], and its first row in [`super::value::LANES`]: four times the number
+/// of the row, so that the address needs no instruction of its own.
+#[derive(Clone, Copy)]
+pub struct RowStart(usize);
+
+impl RowStart {
+    /// Returns the row of a table that is this number of rows behind the lattice point's row.
+    #[inline(always)]
+    pub fn row_after<const ROWS: usize, const N: usize>(self, table: &[Row; N]) -> &Row {
+        const { assert!(256 + ROWS <= N) }
+        // SAFETY: starts come from `STARTS` alone: they are multiples of 4 up to 1020, and the table has ROWS more rows.
+        #[expect(unsafe_code, reason = "shifts or bounds checks for eight corners take a tenth of the noise's time")]
+        unsafe {
+            &*table.as_ptr().cast::<f64>().add(self.0).cast::<Row>().add(ROWS)
+        }
+    }
+}
+
 /// Row of a table of noise: four numbers with the alignment for one load; without it, compilers use two.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
@@ -44,6 +106,15 @@ const fn shuffled_indices() -> [u16; 4096] {
         table.swap(i, random.next_random() & 0xfff);
     }
     table
+}
+
+const fn starts_of_rows() -> [u16; 4096] {
+    let (mut starts, mut i) = (shuffled_indices(), 0);
+    while i < 4096 {
+        starts[i] = 4 * (starts[i] & 0xff);
+        i += 1;
+    }
+    starts
 }
 
 /// Computes the values and gradients of lattice points: each row begins one entry later in [`ENTRIES`], and values are

@@ -1,36 +1,31 @@
 //! The noise of generators 1 and 2, and the vector noise: each lattice point has a value and a gradient.
 
+#![expect(clippy::extra_unused_type_parameters, reason = "each caller has a copy of its own: see `super::wide`")]
+
 use super::super::DVec3;
 use super::lattice::{lattice_cell_and_position, offset_from_corner, s_curve};
-use super::tables::{CORNERS, HASH, Row, table_entry};
+use super::tables::{CORNERS, HashIndex, Row, RowStart, table_entry};
 
 /// Number that POV-Ray adds to the index of a lattice cell before the lookup of its hash.
 const OFFSET: usize = 10_000;
 
-/// Hash of a lattice index: a permutation of 4096 numbers.
+/// Returns the table row of each corner of a lattice cell with these indices.
 #[inline(always)]
-fn hash_index(i: usize) -> usize {
-    HASH[i & 0xfff] as usize
-}
-
-/// Returns the hash of each corner of a lattice cell with these indices.
-#[inline(always)]
-pub(super) fn corner_hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
-    let sides = |i: usize| [i.wrapping_add(OFFSET), i.wrapping_add(OFFSET + 1)];
+pub(super) fn corner_rows([ix, iy, iz]: [usize; 3]) -> [RowStart; 8] {
+    let sides = |i: usize| [OFFSET, OFFSET + 1].map(|offset| HashIndex::from_low_bits(i.wrapping_add(offset)));
     let ([x0, x1], [y0, y1], [z0, z1]) = (sides(ix), sides(iy), sides(iz));
     // The permutation is applied to x, y and z in turn (Perlin 1985).
-    let (a, b) = (hash_index(x0), hash_index(x1));
-    let [c, d, e, f] = [a ^ y0, b ^ y0, a ^ y1, b ^ y1].map(hash_index);
-    let above = |z| [hash_index(c ^ z), hash_index(d ^ z), hash_index(e ^ z), hash_index(f ^ z)];
-    [above(z0), above(z1)]
+    let (a, b) = (x0.hash(), x1.hash());
+    let [c, d, e, f] = [a.xor(y0).hash(), b.xor(y0).hash(), a.xor(y1).hash(), b.xor(y1).hash()];
+    [c.xor(z0), d.xor(z0), e.xor(z0), f.xor(z0), c.xor(z1), d.xor(z1), e.xor(z1), f.xor(z1)].map(HashIndex::row)
 }
 
-/// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell.
+/// Returns the table row of each corner of the lattice cell that contains a point, and the point's position in the cell.
 #[inline(always)]
-fn corner_hashes_and_position(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
+fn corner_rows_and_position(p: DVec3) -> ([RowStart; 8], [f64; 3]) {
     let ((ix, tx), (iy, ty), (iz, tz)) =
         (lattice_cell_and_position(p.x), lattice_cell_and_position(p.y), lattice_cell_and_position(p.z));
-    (corner_hashes([ix, iy, iz]), [tx, ty, tz])
+    (corner_rows([ix, iy, iz]), [tx, ty, tz])
 }
 
 /// Four numbers that the processor computes side by side.
@@ -57,10 +52,10 @@ fn blend_lanes(corner: impl Fn(usize) -> Lanes, t: [f64; 3]) -> Lanes {
 /// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
 /// -1.2 to 1.2. The value and the three slopes of the lattice points are interpolated side by side and added last.
 #[inline(always)]
-pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
-    let (hashes, t) = corner_hashes_and_position(p);
+pub fn scalar_noise<Caller>(p: DVec3) -> f64 {
+    let (rows, t) = corner_rows_and_position(p);
     let corner = |i: usize| {
-        let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
+        let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), *rows[i].row_after::<0, _>(&CORNERS));
         [v, gx * x, gy * y, gz * z]
     };
     let [v, x, y, z] = blend_lanes(corner, t);
@@ -72,6 +67,17 @@ pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
 /// row for each lattice point would need four times the memory, and not fit into the first-level cache beside the other
 /// tables.)
 pub(super) static LANES: [Row; 259] = lane_table();
+
+/// Returns the rows of the vector noise at a lattice point: its values and the three coordinates of its gradients.
+#[inline(always)]
+pub(super) fn vector_rows(first: RowStart) -> [&'static Row; 4] {
+    [
+        first.row_after::<0, _>(&LANES),
+        first.row_after::<1, _>(&LANES),
+        first.row_after::<2, _>(&LANES),
+        first.row_after::<3, _>(&LANES),
+    ]
+}
 
 /// Computes the table of vector noise: each component takes its values and gradients four entries later in the table.
 const fn lane_table() -> [Row; 259] {
@@ -86,12 +92,13 @@ const fn lane_table() -> [Row; 259] {
 
 /// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
-pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
-    let (hashes, t) = corner_hashes_and_position(p);
+pub fn vector_noise<Caller>(p: DVec3) -> DVec3 {
+    let (rows, t) = corner_rows_and_position(p);
     let corner = |i: usize| {
-        let ([x, y, z], at) = (offset_from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
-        let add = |sum: Lanes, place: usize, x: f64| lanewise(sum, LANES[at + place].0, |sum, g| sum + g * x);
-        add(add(add(LANES[at].0.map(|v| 0.5 * v), 1, x), 2, y), 3, z)
+        let [x, y, z] = offset_from_corner(i, t);
+        let [v, gx, gy, gz] = vector_rows(rows[i]).map(|row| row.0);
+        let add = |sum: Lanes, g: Lanes, x: f64| lanewise(sum, g, |sum, g| sum + g * x);
+        add(add(add(v.map(|v| 0.5 * v), gx, x), gy, y), gz, z)
     };
     let [x, y, z, _] = blend_lanes(corner, t);
     DVec3::new(x, y, z)

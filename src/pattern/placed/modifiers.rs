@@ -84,6 +84,15 @@ impl Modifiers {
         }
     }
 
+    /// True if [`Self::apply_to_number`] returns each number from 0 to 1 unchanged.
+    pub fn keep_unit_interval(&self) -> bool {
+        let is_unshifted = match self.frequency {
+            None | Some(1.0) => self.phase == 0.0,
+            Some(frequency) => frequency == 0.0,
+        };
+        is_unshifted && self.wave == Wave::Ramp
+    }
+
     /// Returns the index that a pattern's list of cells receives: frequency and phase apply only if a frequency is
     /// given.
     pub fn apply_to_cell(&self, cell: usize) -> f64 {

@@ -78,10 +78,17 @@ impl PatternProgram {
 
     /// Evaluates the lowered pattern at a point. Returns the number that the map receives, or the index of the cell.
     pub fn pattern_number_at(&self, ctx: &TextureContext) -> f64 {
+        self.pattern_number_for_map(ctx, 0.0)
+    }
+
+    /// Evaluates the lowered pattern at a point for a map whose value is constant below a number. Returns
+    /// [`Self::pattern_number_at`], or any other number in the constant start of the map in place of one in it. A
+    /// pattern whose modifiers change numbers from 0 to 1 needs 0 for `constant_below`.
+    pub fn pattern_number_for_map(&self, ctx: &TextureContext, constant_below: f64) -> f64 {
         if self.way.is_empty() && !self.uv {
-            self.number_in_pattern_space(ctx)
+            self.map_number_in_pattern_space(ctx, constant_below)
         } else {
-            self.number_in_pattern_space(&self.to_pattern_space(ctx))
+            self.map_number_in_pattern_space(&self.to_pattern_space(ctx), constant_below)
         }
     }
 
@@ -97,11 +104,15 @@ impl PatternProgram {
 
     /// Returns the number that the map receives, or the index of the cell, at a point in the lowered pattern's space.
     pub fn number_in_pattern_space(&self, inner: &TextureContext) -> f64 {
+        self.map_number_in_pattern_space(inner, 0.0)
+    }
+
+    fn map_number_in_pattern_space(&self, inner: &TextureContext, constant_below: f64) -> f64 {
         match &self.value {
             Value::Plain | Value::Average => 0.0,
             Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell_kind(inner.p)),
             Value::Field(number) => {
-                let words = number.field_params();
+                let words = FieldParams { constant_below, ..number.field_params() };
                 number.modifiers.apply_to_number(match number.noise {
                     None => number.field.value_with_params(inner, &words),
                     Some(_) => number.field.value_with_params(&number.with_own_noise(inner), &words),
@@ -184,7 +195,7 @@ impl PatternProgram {
 
 impl Number {
     fn field_params(&self) -> FieldParams<'_> {
-        FieldParams { modifiers: &self.modifiers, turbulence: &self.turbulence }
+        FieldParams { modifiers: &self.modifiers, turbulence: &self.turbulence, constant_below: 0.0 }
     }
 
     /// Returns the point with the pattern's own noise generator, if the pattern has one.
