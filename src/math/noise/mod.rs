@@ -181,8 +181,8 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
     fold_octaves(p, turbulence.lambda, generator, (0.0, 1.0, 0), step).0
 }
 
-/// Folds octaves of noise until `step` breaks, each clamped to [0, 1] and twice as fine as the one before: for `granite` and
-/// `wrinkles`.
+/// Folds octaves of noise until `step` breaks, for `granite` and `wrinkles`: each is clamped to [0, 1] and twice as fine
+/// as the one before.
 #[inline]
 pub fn fold_clamped_octaves<T>(
     p: DVec3,

@@ -17,8 +17,7 @@ impl Random {
 /// Hash table of noise generators 1 and 2: a permutation of 0 to 4095.
 pub static HASH: [u16; 4096] = shuffled_indices();
 
-/// Where the rows of the lattice points begin, by the index that [`HASH`] has, too: four times the low 8 bits of its
-/// entries.
+/// Starts of the rows of lattice points: element i is four times the low 8 bits of element i of [`HASH`].
 static STARTS: [u16; 4096] = starts_of_rows();
 
 /// Index into the hash table of noise generators 1 and 2: a number below 4096.
@@ -61,17 +60,19 @@ impl HashIndex {
     }
 }
 
-/// Where a lattice point's row begins in [`CORNERS`], and its first row in [`super::value::LANES`]: four times the number
-/// of the row, so that the address needs no instruction of its own.
+/// Start of a lattice point's row in [`CORNERS`], and of its first row in [`super::value::LANES`], in numbers from the
+/// start of the table: four times the index of the row. (The processor can multiply by 8 bytes in an address, but not by
+/// the 32 bytes of a row.)
 #[derive(Clone, Copy)]
 pub struct RowStart(usize);
 
 impl RowStart {
-    /// Returns the row of a table that is this number of rows behind the lattice point's row.
+    /// Returns the row of a table that is `ROWS` rows after the lattice point's row.
     #[inline(always)]
     pub fn row_after<const ROWS: usize, const N: usize>(self, table: &[Row; N]) -> &Row {
         const { assert!(256 + ROWS <= N) }
-        // SAFETY: starts come from `STARTS` alone: they are multiples of 4 up to 1020, and the table has ROWS more rows.
+        // SAFETY: starts come from `STARTS` alone. They are multiples of 4 up to 1020, so that the row is one of the
+        // first 256; and the table has at least `ROWS` more.
         #[expect(unsafe_code, reason = "shifts or bounds checks for eight corners take a tenth of the noise's time")]
         unsafe {
             &*table.as_ptr().cast::<f64>().add(self.0).cast::<Row>().add(ROWS)
