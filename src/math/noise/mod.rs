@@ -132,7 +132,7 @@ pub fn fold_octaves<T>(
     start: T,
     step: impl Fn(T, f64) -> ControlFlow<T, T>,
 ) -> T {
-    // Each generator has a loop of its own, so that none decides in each round which it is.
+    // Each generator has its own loop, so that the loop does not test the generator for each octave.
     match generator {
         NoiseGenerator::Original => wide::fold_octaves(p.x, p.y, p.z, lacunarity, start, |state, raw| {
             step(state, to_generator_range(raw, NoiseGenerator::Original))

@@ -53,7 +53,7 @@ impl HashIndex {
     fn entry_of(self, table: &[u16; 4096]) -> u16 {
         // SAFETY: `from_low_bits` makes numbers below 4096, entries of `HASH` are below 4096, and so is what `xor`
         // makes of both.
-        #[expect(unsafe_code, reason = "masks or bounds checks for 14 lookups take a tenth of the noise's time")]
+        #[expect(unsafe_code, reason = "bounds checks here and of the rows take a tenth of the noise's time")]
         unsafe {
             *table.get_unchecked(self.0)
         }
@@ -73,7 +73,7 @@ impl RowStart {
         const { assert!(256 + ROWS <= N) }
         // SAFETY: starts come from `STARTS` alone. They are multiples of 4 up to 1020, so that the row is one of the
         // first 256; and the table has at least `ROWS` more.
-        #[expect(unsafe_code, reason = "shifts or bounds checks for eight corners take a tenth of the noise's time")]
+        #[expect(unsafe_code, reason = "bounds checks here and of the hashes take a tenth of the noise's time")]
         unsafe {
             &*table.as_ptr().cast::<f64>().add(self.0).cast::<Row>().add(ROWS)
         }
@@ -109,6 +109,7 @@ const fn shuffled_indices() -> [u16; 4096] {
     table
 }
 
+/// Computes [`STARTS`].
 const fn starts_of_rows() -> [u16; 4096] {
     let (mut starts, mut i) = (shuffled_indices(), 0);
     while i < 4096 {

@@ -107,6 +107,7 @@ impl PatternProgram {
         self.map_number_in_pattern_space(inner, 0.0)
     }
 
+    /// Returns the number of [`Self::pattern_number_for_map`] at a point in the lowered pattern's space.
     fn map_number_in_pattern_space(&self, inner: &TextureContext, constant_below: f64) -> f64 {
         match &self.value {
             Value::Plain | Value::Average => 0.0,
