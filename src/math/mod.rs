@@ -22,7 +22,8 @@ pub use complex::Complex;
 pub use crossing::root_between;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 pub use poly::{
-    MAX_DEGREE, bernstein_roots, polynomial_roots_between, solve_quadratic, solve_quadratic_with_discriminant,
+    MAX_DEGREE, bernstein_roots, bernstein_roots_in_window, polynomial_roots_between, solve_quadratic,
+    solve_quadratic_with_discriminant,
 };
 pub use quadratic::Quadratic;
 pub use ray::{Range, Ray};

@@ -10,7 +10,9 @@
 
 use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant, tolerance};
+use crate::math::{
+    Aabb, DVec2, DVec3, Range, Ray, bernstein_roots_in_window, fp, solve_quadratic_with_discriminant, tolerance,
+};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
@@ -70,8 +72,8 @@ impl Torus {
 
     /// Calls `visit` with each hit on the torus in `range`, in ascending `t`, until it returns `Break`.
     fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
-        // Search roots in the bounding pipe only. The range is not used, since it must not change the last digit of a
-        // hit.
+        // Search roots in the bounding pipe only. The range does not change the interval of the search, since it must not
+        // change the last digit of a hit; it only tells which roots are not needed.
         let around = self.torus_bounding_box().grown(0.01 * self.minor.abs());
         let Some((near, far)) =
             around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.is_visible_in_povray(ray))
@@ -86,20 +88,25 @@ impl Torus {
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;
-        self.find_ray_roots(o, v, near * length - middle, far * length - middle, &mut |s| {
+        let interval = Range { min: near * length - middle, max: far * length - middle };
+        // (Far from the torus, distances along the ray are less exact.)
+        let slack = 1e-14 * middle.abs();
+        let wanted = Range { min: range.min * length - middle - slack, max: range.max * length - middle + slack };
+        self.find_ray_roots(o, v, interval, wanted, &mut |s| {
             let t = (s + middle) / length;
             t >= range.max || range.contains(t) && visit(t).is_break()
         });
     }
 
-    /// Calls `stops_at` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true.
-    /// `nearest_to_origin` is the point o of the ray nearest to the origin, so that o·v = 0.
+    /// Calls `stops_at` with the roots of a ray on the torus in the interval, in units of |dir|, ascending, until it
+    /// returns true; at least with those in the range `wanted`. `nearest_to_origin` is the point o of the ray nearest to
+    /// the origin, so that o·v = 0.
     fn find_ray_roots(
         &self,
         nearest_to_origin: DVec3,
         v: DVec3,
-        lo: f64,
-        hi: f64,
+        interval: Range,
+        wanted: Range,
         stops_at: &mut dyn FnMut(f64) -> bool,
     ) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
@@ -112,7 +119,7 @@ impl Torus {
             (fp::hypot(nearest_to_origin.x, nearest_to_origin.z), nearest_to_origin.y * nearest_to_origin.y - minor2);
         let c0 = ((rho - self.major).powi(2) + rest) * ((rho + self.major).powi(2) + rest);
         // Substitute s = lo + u·w, with u from 0 to 1
-        let w = hi - lo;
+        let (lo, w) = (interval.min, interval.max - interval.min);
         let a0 = ((lo * lo + c2) * lo + c1) * lo + c0;
         let a1 = ((4.0 * lo * lo + 2.0 * c2) * lo + c1) * w;
         let (a2, a3, a4) = ((6.0 * lo * lo + c2) * w * w, 4.0 * lo * w * w * w, w * w * w * w);
@@ -124,7 +131,8 @@ impl Torus {
             a0 + 0.75 * a1 + 0.5 * a2 + 0.25 * a3,
             a0 + a1 + a2 + a3 + a4,
         ];
-        bernstein_roots(&b, &mut |u| stops_at(lo + u * w));
+        let window = ((wanted.min - lo) / w, (wanted.max - lo) / w);
+        bernstein_roots_in_window(&b, window, &mut |u| stops_at(lo + u * w));
     }
 }
 
@@ -285,6 +293,28 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn range_changes_no_hit_in_it(
+            o in proptest::array::uniform3(-3.0..3.0f64),
+            at in proptest::array::uniform3(-1.0..1.0f64),
+            // (A far origin leaves fewer digits for the distance.)
+            back in prop_oneof![Just(0.0), Just(1e3), Just(1e7)],
+            minor in 0.05..1.0f64,
+            start in -3.0..3.0f64, length in 0.0..3.0f64, is_open in any::<bool>(),
+        ) {
+            let torus = Torus { major: 1.0, minor };
+            let dir = (DVec3::from(at) - DVec3::from(o)) * 1.7;
+            let ray = Ray::new(DVec3::from(o) - back * dir, dir);
+            let of_all = all_hits(&torus, &ray);
+            // A range that starts or ends at a hit, or anywhere.
+            let start = of_all.first().filter(|_| is_open).map_or(back + start, |hit| hit.t);
+            let range = Range { min: start, max: if is_open { f64::INFINITY } else { start + length } };
+            let mut found = Hits::new();
+            torus.hits(&ray, range, &mut found);
+            let want: Vec<f64> = of_all.iter().map(|hit| hit.t).filter(|t| range.contains(*t)).collect();
+            prop_assert_eq!(found.iter().map(|hit| hit.t).collect::<Vec<_>>(), want);
+        }
+
         #[test]
         fn hits_are_on_the_surface(
             o in proptest::array::uniform3(-3.0..3.0f64),

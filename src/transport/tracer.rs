@@ -2,7 +2,7 @@
 
 use super::context::FrameContext;
 use super::photons::Found;
-use super::radiosity::{RadiosityCache, RadiosityState};
+use super::radiosity::{RadiosityCache, RadiosityState, Sample};
 use super::random::Random;
 use super::ray_state::RayState;
 use crate::world::{Blocker, ShaftOccluder};
@@ -55,6 +55,9 @@ pub struct Tracer<'w> {
     pub(super) shaft_occluders: Vec<Option<ShaftOccluder>>,
     /// Samples of radiosity that the tracer has gathered since the last camera ray, or in a pass since the last work item.
     pub(super) radiosity_cache: RadiosityCache,
+    /// Sample of radiosity that the last point of a pass could reuse: a hint for the next point, which never changes a
+    /// result.
+    pub(super) last_usable_sample: Option<Sample>,
     /// Distance of the first hit of the present ray that gathers light; infinite without a hit.
     pub(super) first_distance: f64,
     /// Rays that are still to be traced, the next one last.
@@ -86,6 +89,7 @@ impl<'w> Tracer<'w> {
             occluders: vec![None; context.world.lights.len()],
             shaft_occluders: vec![None; context.world.lights.len()],
             radiosity_cache: RadiosityCache::new(context.world.radiosity.as_ref().map_or(1.0, |r| r.error_bound)),
+            last_usable_sample: None,
             first_distance: f64::INFINITY,
             queue: vec![],
             max_trace_level: context.world.max_trace_level,

@@ -77,6 +77,12 @@ fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64,
     (b[0] + rise * t, rise * degree as f64)
 }
 
+/// Returns the value of a Bernstein polynomial at t.
+#[inline(always)]
+fn value<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> f64 {
+    value_and_slope(b, degree, t).0
+}
+
 /// Returns the only root in [0, 1] of a polynomial whose signs differ at both ends: Newton's step where it stays in the
 /// bracket and converges fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 #[inline(always)]
@@ -172,6 +178,7 @@ impl Search<'_> {
         let used = &b[..=degree];
         match sign_changes(used) {
             0 => return false,
+            1 if self.is_outside_window(b, degree, lo, hi) => return false,
             1 => return (self.stops_at)(lo + (hi - lo) * only_root(b, degree)),
             _ => {}
         }
@@ -186,11 +193,28 @@ impl Search<'_> {
         let (first, then) = if self.backwards { (far, near) } else { (near, far) };
         self.search_interval_is_over(first.0, first.1, first.2) || self.search_interval_is_over(then.0, then.1, then.2)
     }
+
+    /// True if the only root between `lo` and `hi`, where the Bernstein coefficients are `b`, is certainly outside the
+    /// window: the signs at the ends of the window show it before the root is computed.
+    fn is_outside_window<const N: usize>(&self, b: &[f64; N], degree: usize, lo: f64, hi: f64) -> bool {
+        let has_sign_of = |end: f64, at: f64| {
+            let value = value(b, degree, (at - lo) / (hi - lo));
+            value.abs() > self.noise && is_negative(value) == is_negative(end)
+        };
+        let (start, end) = (self.window.0 - WINDOW_SLACK, self.window.1 + WINDOW_SLACK);
+        start > lo && has_sign_of(b[degree], start) || end < hi && has_sign_of(b[0], end)
+    }
 }
 
 /// Finds the roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts
 /// twice. The degree, at most 11, is one less than their number. `stops_at` receives each root; true ends the search.
 pub fn bernstein_roots(b: &[f64], stops_at: &mut dyn FnMut(f64) -> bool) {
+    bernstein_roots_in_window(b, (f64::NEG_INFINITY, f64::INFINITY), stops_at);
+}
+
+/// As [`bernstein_roots`], for a caller that needs only the roots in `window`. `stops_at` may also receive others. A root
+/// is the same to the last bit for any window.
+pub fn bernstein_roots_in_window(b: &[f64], window: (f64, f64), stops_at: &mut dyn FnMut(f64) -> bool) {
     debug_assert!((2..=12).contains(&b.len()));
     // (Most pieces of a curve have no hit.)
     if sign_changes(b) == 0 {
@@ -203,12 +227,12 @@ pub fn bernstein_roots(b: &[f64], stops_at: &mut dyn FnMut(f64) -> bool) {
         [b0, b1, b2] => {
             let _ = bernstein_quadratic_roots(b0, b1, b2).into_iter().flatten().any(stops_at);
         }
-        [_, _, _, _] => roots_of_zero_padded::<4>(b, stops_at),
-        [_, _, _, _, _] => roots_of_zero_padded::<5>(b, stops_at),
-        [_, _, _, _, _, _] => roots_of_zero_padded::<6>(b, stops_at),
-        [_, _, _, _, _, _, _] => roots_of_zero_padded::<7>(b, stops_at),
-        [_, _, _, _, _, _, _, _] => roots_of_zero_padded::<8>(b, stops_at),
-        _ => roots_of_zero_padded::<12>(b, stops_at),
+        [_, _, _, _] => roots_of_zero_padded::<4>(b, window, stops_at),
+        [_, _, _, _, _] => roots_of_zero_padded::<5>(b, window, stops_at),
+        [_, _, _, _, _, _] => roots_of_zero_padded::<6>(b, window, stops_at),
+        [_, _, _, _, _, _, _] => roots_of_zero_padded::<7>(b, window, stops_at),
+        [_, _, _, _, _, _, _, _] => roots_of_zero_padded::<8>(b, window, stops_at),
+        _ => roots_of_zero_padded::<12>(b, window, stops_at),
     }
 }
 
@@ -231,12 +255,12 @@ fn bernstein_quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     [Some(t1.min(t2)), Some(t1.max(t2))]
 }
 
-fn roots_of_zero_padded<const N: usize>(b: &[f64], stops_at: StopsAt) {
+fn roots_of_zero_padded<const N: usize>(b: &[f64], window: (f64, f64), stops_at: StopsAt) {
     let mut padded = [0.0; N];
     padded[..b.len()].copy_from_slice(b);
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
     let noise = tolerance::POLYNOMIAL * size;
-    let mut search = Search { degree: b.len() - 1, noise, window: (0.0, 1.0), backwards: false, stops_at };
+    let mut search = Search { degree: b.len() - 1, noise, window, backwards: false, stops_at };
     search.search_interval_is_over(&padded, 0.0, 1.0);
 }
 
@@ -419,6 +443,26 @@ mod tests {
         assert_eq!(first.as_slice(), &everywhere(&c)[2..3]);
     }
 
+    /// All roots in [0, 1] that the search reports for a window.
+    fn in_window(b: &[f64], window: (f64, f64)) -> Roots {
+        let mut all = Roots::new();
+        bernstein_roots_in_window(b, window, &mut |t| {
+            all.push(t);
+            false
+        });
+        all
+    }
+
+    #[test]
+    fn single_root_outside_the_window_is_not_computed() {
+        let cubic = [-1.0, -0.5, 0.5, 1.0];
+        assert_eq!(in_window(&cubic, (0.0, 1.0)).len(), 1);
+        assert_eq!(in_window(&cubic, (0.6, 0.9)).as_slice(), [0.0; 0]);
+        assert_eq!(in_window(&cubic, (0.1, 0.4)).as_slice(), [0.0; 0]);
+        assert_eq!(in_window(&cubic, (0.5, 0.9)).as_slice(), [0.5]);
+        assert_eq!(in_window(&cubic, (0.1, 0.5)).as_slice(), [0.5]);
+    }
+
     #[test]
     fn of_degree_35() {
         // Chebyshev's polynomial: 35 roots cos((k - ½)π/35), between which it oscillates from -1 to 1.
@@ -457,6 +501,18 @@ mod tests {
                 let seen = found.iter().any(|x| (x - r).abs() < tolerance);
                 prop_assert!(seen || m % 2 == 0, "{} of {:?}: {:?}", r, roots, found);
             }
+        }
+
+        #[test]
+        fn window_changes_no_root_in_it(
+            b in proptest::collection::vec(-1.0..1.0f64, 4..9),
+            start in -0.2..1.2f64, length in 0.0..1.0f64,
+        ) {
+            let window = (start, start + length);
+            let is_wanted = |t: &f64| (window.0..=window.1).contains(t);
+            let of_all: Roots = in_window(&b, (f64::NEG_INFINITY, f64::INFINITY)).into_iter().filter(is_wanted).collect();
+            let found: Roots = in_window(&b, window).into_iter().filter(is_wanted).collect();
+            prop_assert_eq!(found, of_all);
         }
     }
 }

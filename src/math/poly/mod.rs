@@ -2,7 +2,7 @@
 
 mod bernstein;
 
-pub use bernstein::{MAX_DEGREE, bernstein_roots, polynomial_roots_between};
+pub use bernstein::{MAX_DEGREE, bernstein_roots, bernstein_roots_in_window, polynomial_roots_between};
 
 /// Real roots of a·x² + b·x + c, ascending, by the stable pair (lecture, "Solving ax²+bx+c=0"). With a = 0 the line's
 /// root is one of them and the other is infinite; `None` if there is no real root.

@@ -50,6 +50,11 @@ pub struct Blend {
 }
 
 impl Sample {
+    /// True if the sample may be reused for the query.
+    pub(super) fn is_usable_for(&self, query: &Query) -> bool {
+        self.depth == query.depth && error_share(self, query).is_some()
+    }
+
     /// Returns the sample's radius in the direction of the vector `to_point`, which has the length `distance`: the
     /// nearest surface limits it in the directions toward that surface, since light changes fast there.
     fn radius_along(&self, to_point: DVec3, distance: f64) -> f64 {
@@ -174,10 +179,20 @@ impl RadiosityCache {
         sum
     }
 
+    /// Returns a radiosity sample that may be reused for the query; `None` if there is none.
+    pub fn any_usable_sample(&self, query: &Query) -> Option<&Sample> {
+        let mut found = None;
+        self.visit_usable(query, |sample, _| {
+            found = Some(sample);
+            ControlFlow::Break(())
+        });
+        found
+    }
+
     /// Calls `visit` for the radiosity samples that may be reused for the query, each with its error as a share of the
     /// maximum, until it breaks.
     #[inline]
-    fn visit_usable(&self, query: &Query, mut visit: impl FnMut(&Sample, f64) -> ControlFlow<()>) {
+    fn visit_usable<'s>(&'s self, query: &Query, mut visit: impl FnMut(&'s Sample, f64) -> ControlFlow<()>) {
         let Some(grids) = self.grids.get(usize::from(query.depth)) else { return };
         for &grid in grids {
             let Some(cell) = self.cells.get(&(query.depth, grid, cell(query.point, grid))) else { continue };

@@ -1,7 +1,7 @@
 //! Samples of radiosity, and the light that surfaces reflect because of them.
 
-use super::cache::{Blend, Sample};
-use super::{RadiosityState, ray_count};
+use super::cache::{Blend, Query, Sample};
+use super::{ANY_CLOSENESS, RadiosityState, ray_count};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Ray, fp, rng};
 use crate::transport::direct_light::LitSurface;
@@ -28,6 +28,7 @@ struct GatherPoint {
 impl Tracer<'_> {
     /// Removes the radiosity samples that this tracer has collected since the last call, and returns them.
     pub fn take_radiosity_samples(&mut self) -> Vec<Sample> {
+        self.last_usable_sample = None;
         self.radiosity_cache.take_samples()
     }
 
@@ -102,11 +103,7 @@ impl Tracer<'_> {
         let query = radiosity.query(at.point, at.normal, at.depth);
         let wanted = radiosity.wanted_closeness(at.depth);
         if at.depth == 0 && !radiosity.is_final() {
-            let mut closeness = radiosity.cache.closeness_up_to(wanted, &query);
-            if closeness < wanted {
-                closeness += self.radiosity_cache.closeness_up_to(wanted - closeness, &query);
-            }
-            if closeness < wanted && !self.is_stopped() {
+            if !self.has_closeness(wanted, radiosity, &query) && !self.is_stopped() {
                 let sample = self.gather(radiosity, at);
                 self.radiosity_cache.insert(sample);
             }
@@ -125,6 +122,21 @@ impl Tracer<'_> {
             return sample.light;
         }
         blend.mean().unwrap_or(Rgb::ZERO)
+    }
+
+    /// True if the sum of 1 - error / maximum error over the radiosity samples that may be reused for the query is at least
+    /// `wanted`.
+    fn has_closeness(&mut self, wanted: f64, radiosity: &RadiosityState, query: &Query) -> bool {
+        if wanted > ANY_CLOSENESS {
+            let found = radiosity.cache.closeness_up_to(wanted, query);
+            return found >= wanted || found + self.radiosity_cache.closeness_up_to(wanted - found, query) >= wanted;
+        }
+        // Neighbouring points can often reuse the same sample.
+        if !self.last_usable_sample.is_some_and(|sample| sample.is_usable_for(query)) {
+            let found = radiosity.cache.any_usable_sample(query);
+            self.last_usable_sample = found.or_else(|| self.radiosity_cache.any_usable_sample(query)).copied();
+        }
+        self.last_usable_sample.is_some()
     }
 
     /// Computes a radiosity sample at a point: traces rays into the hemisphere about the normal.
