@@ -74,7 +74,7 @@ CAUSES = {
     "still have noise.",
     **{
         scene: f"{PHOTONS}; {UNEXAMINED}."
-        for scene in ["advanced/benchmark/benchmark", "advanced/grenadine/grenadine", "lights/glassthing", "lights/phot_met_glass"]
+        for scene in ["advanced/benchmark/benchmark", "lights/glassthing", "lights/phot_met_glass"]
     },
     "advanced/balcony/balcony": f"{RADIOSITY}, and photons are shot to other places. The FLIP error against POV-Ray's picture with more "
     "samples of radiosity is 0.007 for POV-Ray's own picture, 0.012 for durer's, and 0.011 for durer's with more samples. The number of photons stayed the same.",

@@ -30,18 +30,26 @@ pub(super) fn ineffective_photon_warnings(world: &World) -> Vec<Diagnostic> {
         return vec![];
     };
     let warning = |text: &str, help: &str| Diagnostic::new(codes::IDLE_PHOTONS, settings.source, text).help(help);
-    let of_objects = || world.objects.iter().map(|object| object.photons);
-    let targets: BTreeSet<u32> = of_objects().filter(|&number| is_photon_target_setting(world, number)).collect();
+    let settings_of_targets = |is_hit: bool| -> BTreeSet<u32> {
+        let objects = world.objects.iter().filter(|object| object.is_hit_by_photons == is_hit);
+        objects.map(|object| object.photons).filter(|&number| is_photon_target_setting(world, number)).collect()
+    };
+    let targets = settings_of_targets(true);
     let interacts = |&number: &u32| {
         let settings = &world.photons[number as usize];
         world.lights.iter().any(|light| settings.refracts_and_reflects(&light.emitter.photons).contains(&true))
     };
     let mut warnings = vec![];
-    if targets.is_empty() {
-        let help = "`photons { target refraction on reflection on }` in an object of glass or metal makes it a target";
+    if targets.is_empty() && !settings_of_targets(false).is_empty() {
+        let help = "remove `no_image` and `no_shadow` from the target: photons do not hit such objects";
+        warnings.push(warning("no photon is shot, because all targets are hidden", help));
+    } else if targets.is_empty() {
+        let help = "`photons { target refraction on reflection on }` in an object of glass or metal makes it a target; \
+                    in a `light_group`, it also needs `global_lights on`";
         warnings.push(warning("no photon is shot, because no object is a target", help));
     } else if !targets.iter().any(interacts) {
-        let help = "write `refraction on` or `reflection on` into the `photons` of the target";
+        let help = "write `refraction on` or `reflection on` into the `photons` of the target; lights in a `light_group` \
+                    shoot no photons";
         warnings.push(warning("no photon is shot, because the targets neither refract nor reflect photons", help));
     }
     let scatters = |medium: &Medium| medium.scattering.color != Rgb::ZERO;

@@ -36,6 +36,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "A spotlight, cylinder or parallel light whose `point_at` is its location illuminates nothing.",
         &["src/light/beam.rs::profiles_of_spotlight_and_cylinder"],
     ),
+    differing_quirk(
+        "black_photons",
+        "POV-Ray follows and stores photons without any light, such as red light behind a cyan filter; they count among the \
+         `gather` photons of an estimate.",
+        "durer drops them: they cost time and memory.",
+        &["tests/suite/photons.rs"],
+    ),
     emulated_quirk(
         "circular_area_light",
         "Lights of a circular grid are displaced by 0.002 of half a side.",
@@ -100,6 +107,53 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "A parallel light also illuminates what is behind it; with `fade_distance` the distance there is negative, so \
          odd powers brighten and darken.",
         &["light_cases/fade_behind_parallel"],
+    ),
+    emulated_quirk(
+        "pass_through_transparent",
+        "`photons { pass_through }` lets photons pass in a straight line, but what the object transmits filters them, \
+         and an opaque object stops them.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photon_radius_in_media",
+        "In media, photons are searched within twice the `radius`, stated or not.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photon_weight_of_reflection",
+        "Each reflection multiplies the weight of a photon, which is compared with `adc_bailout`, by the square of the \
+         reflection.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photons_by_visibility",
+        "Photons do not hit objects with `no_image` or `no_shadow`, which cannot be targets, either.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photons_diverge_in_media",
+        "The light of photons in media grows along each stretch between two surfaces, unless the light is parallel: with the distance from \
+         the light, relative to that at the beginning of the stretch.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photons_from_behind",
+        "The light of photons on the back of a surface, by the second number of `diffuse` or by `double_illuminate`, \
+         is too bright: ten times the cosine of the angle of incidence.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photons_of_global_lights",
+        "Lights in a `light_group` shoot no photons, and objects in it are targets only with `global_lights on`; but the \
+         photons of other lights are stored on all objects.",
+        &["tests/suite/photons.rs"],
+    ),
+    emulated_quirk(
+        "photons_off_surface",
+        "A photon at the distance d counts as one at the distance d times the square root of 1 + 16 h, where h is its distance from \
+         the plane through the point, perpendicular to the normal of the topmost layer, in the units of the scene: the same scene in \
+         larger units has narrower caustics on curved surfaces.",
+        &["tests/suite/photons.rs"],
     ),
     emulated_quirk(
         "projected_through_range",

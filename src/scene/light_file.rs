@@ -82,10 +82,11 @@ impl LightKind {
         }
     }
 
-    /// Returns the version of the format, which changes when the records or the head do.
+    /// Returns the version of the format, which changes when the records, what they mean, or the head do.
     fn version(self) -> u8 {
         match self {
-            Self::Photons | Self::Radiosity => 2,
+            Self::Photons => 3,
+            Self::Radiosity => 2,
         }
     }
 

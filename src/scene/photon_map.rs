@@ -110,7 +110,10 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
     word("radius", Float, "found by durer", "radius of the search and its factor, on surfaces and then in media").sets(
         |s, r| {
             for i in 0..2 {
-                s.radius[i] = r.optional_float()?.map_or(s.radius[i], |radius| radius.max(0.0));
+                // (A comma before the first number means that durer finds the radius.)
+                let is_left_out = i == 0 && r.peek_next_unless_separated()? == Next::End;
+                let radius = if is_left_out { None } else { r.optional_float()? };
+                s.radius[i] = radius.map_or(s.radius[i], |radius| radius.max(0.0));
                 s.radius_factor[i] = r.optional_float()?.map_or(s.radius_factor[i], |factor| factor.max(0.0));
             }
             Ok(())

@@ -73,7 +73,7 @@ impl Torus {
     /// Calls `visit` with each hit on the torus in `range`, in ascending `t`, until it returns `Break`.
     fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         // Search roots in the bounding pipe only. The range does not change the interval of the search, since it must not
-        // change the last digit of a hit; it only tells which roots are not needed.
+        // change the last digit of a hit; it only excludes roots that are not needed.
         let around = self.torus_bounding_box().grown(0.01 * self.minor.abs());
         let Some((near, far)) =
             around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.is_visible_in_povray(ray))

@@ -31,6 +31,8 @@ pub(super) trait LitSurface<'w> {
     fn point(&self) -> DVec3;
     /// Returns the normal without bumps, length 1, towards the ray's origin.
     fn smooth_normal(&self) -> DVec3;
+    /// Returns the normal of the topmost layer, with its bumps, length 1.
+    fn top_normal(&self) -> DVec3;
     /// True if `test` is true for any layer.
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool;
     /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
@@ -72,9 +74,12 @@ impl<'w> Tracer<'w> {
     #[inline]
     pub(super) fn add_light_of_sources(&mut self, state: &RayState, surface: &impl LitSurface<'w>, sum: &mut Rgb) {
         let world = self.context.world;
+        // (Light that passes through targets of photons reaches other surfaces as photons.)
+        self.targets_transmit_light = !surface.part().collects_photons;
         for &number in &world.lit_by[surface.part().light_set() as usize] {
             *sum += self.reflected_light(&world.lights[number as usize], state, surface);
         }
+        self.targets_transmit_light = false;
     }
 
     /// Returns the radiance that one light source causes by diffuse and specular reflection.
@@ -167,7 +172,7 @@ fn reflects_light<'w>(surface: &impl LitSurface<'w>, to_light: DVec3, both_sides
     surface.any_layer(|shaded| {
         let finish = &shaded.layer.finish;
         match both_sides || shaded.normal.dot(to_light) > 0.0 {
-            true => finish.diffuse != 0.0 || finish.phong.strength != 0.0 || finish.specular.strength != 0.0,
+            true => finish.diffuse != 0.0 || finish.has_highlights(),
             false => finish.diffuse_back != 0.0,
         }
     })

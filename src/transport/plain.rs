@@ -66,6 +66,10 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
         self.smooth
     }
 
+    fn top_normal(&self) -> DVec3 {
+        self.shaded.normal
+    }
+
     #[inline(always)]
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
         test(&self.shaded)

@@ -126,6 +126,10 @@ impl<'w> LitSurface<'w> for ShadingPoint<'w> {
         self.smooth
     }
 
+    fn top_normal(&self) -> DVec3 {
+        self.layers.first().map_or(self.smooth, |shaded| shaded.normal)
+    }
+
     #[inline]
     fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
         self.layers.iter().any(test)

@@ -71,6 +71,8 @@ pub struct Tracer<'w> {
     pub(super) has_plain_points: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
+    /// True if shadow rays pass targets of photons as other transparent objects: the lit surface does not collect photons.
+    pub(super) targets_transmit_light: bool,
     /// Buffers of photon searches, kept from search to search to avoid allocations.
     pub(super) photon_buffers: [Found; 2],
 }
@@ -96,6 +98,7 @@ impl<'w> Tracer<'w> {
             adc_bailout: context.world.adc_bailout,
             has_plain_points: quality.lights && quality.pigments && quality.reflection,
             traces_photons: false,
+            targets_transmit_light: false,
             photon_buffers: <[Found; 2]>::default(),
         }
     }

@@ -76,7 +76,7 @@ impl Tracer<'_> {
         let world = self.context.world;
         let replaces = |id: u32| {
             let object = &world.objects[id as usize];
-            object.shadow && photons::photons_replace_transmitted(world, shadow.light, object.photons)
+            object.is_hit_by_photons && photons::photons_replace_transmitted(world, shadow.light, object.photons)
         };
         world.geometry.any(&shadow.ray, shadow.range, replaces)
     }
@@ -101,7 +101,7 @@ impl Tracer<'_> {
         let Some(filters) = world.geometry.filters_unless_occluded(ray, range, role, occluder) else {
             return Rgb::ZERO;
         };
-        if self.context.photons.is_some() && self.is_replaced_by_photons(shadow) {
+        if self.context.photons.is_some() && !self.targets_transmit_light && self.is_replaced_by_photons(shadow) {
             return Rgb::ZERO;
         }
         // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).
@@ -121,6 +121,24 @@ impl Tracer<'_> {
         let mut transmittance = Rgb::ONE;
         for hit in &surfaces {
             transmittance *= shading_point::shadow_transmittance(world, ray, hit, use_quick_color);
+        }
+        transmittance
+    }
+
+    /// Returns the product of the transmittances of all surfaces of the objects `filters` along a ray up to a distance,
+    /// without interiors.
+    pub(super) fn transmittance_of_surfaces(&self, ray: &Ray, distance: f64, filters: impl Fn(u32) -> bool) -> Rgb {
+        let world = self.context.world;
+        let mut transmittance = Rgb::ONE;
+        let mut range = Range { min: world.epsilon.shadow, max: distance };
+        while transmittance != Rgb::ZERO {
+            let Some(hit) = world.geometry.closest(ray, range, &filters) else { break };
+            transmittance *= shading_point::shadow_transmittance(world, ray, &hit, !self.context.quality.pigments);
+            range.min = hit.t() + world.epsilon.shadow;
+            // Far away, a step can be smaller than the rounding error of the distance.
+            if range.min <= hit.t() {
+                break;
+            }
         }
         transmittance
     }

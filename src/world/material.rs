@@ -229,8 +229,7 @@ impl Layer {
             && self.normal.is_none()
             && self.choice.is_none()
             && finish.mirror.is_none()
-            && finish.phong.strength == 0.0
-            && finish.specular.strength == 0.0
+            && !finish.has_highlights()
             && finish.crand == 0.0
             && finish.refraction == 1.0
     }
@@ -275,6 +274,11 @@ impl Layer {
 }
 
 impl LoweredFinish {
+    /// True if the surface has highlights.
+    pub fn has_highlights(&self) -> bool {
+        self.phong.strength != 0.0 || self.specular.strength != 0.0
+    }
+
     /// Lowers a finish; `ambient_light` is the scene's factor of `ambient`, and `mm_per_unit` the length of one unit of a
     /// scene with subsurface light transport.
     pub fn new(f: &Finish, ambient_light: Rgb, mm_per_unit: Option<f64>) -> Self {

@@ -201,6 +201,8 @@ pub struct ObjectInfo {
     pub reflection: bool,
     /// True if radiosity rays hit the object (`no_radiosity` is not set).
     pub radiosity: bool,
+    /// True if photons hit the object.
+    pub is_hit_by_photons: bool,
     /// Index of the object's photon settings in [`World::photons`].
     pub photons: u32,
     /// True if the object transmits light at no point of its surface.

@@ -16,7 +16,7 @@ pub struct PhotonSettings {
     pub refraction: Option<bool>,
     /// True if the object reflects photons, false if not; `None` for the light's choice.
     pub reflection: Option<bool>,
-    /// True if photons pass the object without change on their way to a target; `None` for the value of `no_shadow`.
+    /// True if photons pass the object on their way to a target, in a straight line; `None` for the group's choice.
     pub pass_through: Option<bool>,
     /// True if the object neither stores nor shows photons (`collect off`).
     pub ignores_photons: bool,
@@ -32,7 +32,7 @@ const PHOTON_ROWS: &[Row<PhotonSettings>] = &[
         .sets(|s, r| set(&mut s.reflection, r.flag().map(Some))),
     word("collect", Flag, "on", "the object stores photons and shows their light")
         .sets(|s, r| set(&mut s.ignores_photons, r.flag().map(|collects| !collects))),
-    word("pass_through", Flag, "that of `no_shadow`", "photons pass the object unchanged on their way to a target")
+    word("pass_through", Flag, "off", "photons pass the object in a straight line on their way to a target")
         .sets(|s, r| set(&mut s.pass_through, r.flag().map(Some))),
 ];
 

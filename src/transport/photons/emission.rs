@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::light::Area;
 use crate::math::{Aabb, DVec3, GOLDEN_SECTION, Ray, fp, rng};
 use crate::scene::PhotonMapSettings;
-use crate::world::{LightSource, World};
+use crate::world::{LightSource, ObjectInfo, World};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -206,8 +206,8 @@ fn light_offsets_and_shares(light: &LightSource, area_lights: bool) -> Vec<(DVec
 
 fn targets(world: &World) -> Vec<Target> {
     let target = |object: u32, bounds: Aabb| {
-        let settings = world.objects[object as usize].photons;
-        let factor = world.photons[settings as usize].target?;
+        let ObjectInfo { photons: settings, is_hit_by_photons, .. } = world.objects[object as usize];
+        let factor = world.photons[settings as usize].target.filter(|_| is_hit_by_photons)?;
         (factor > 0.0 && !bounds.is_empty()).then_some(Target { object, bounds, factor, settings })
     };
     let mut targets: Vec<Target> =

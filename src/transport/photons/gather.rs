@@ -4,8 +4,8 @@ use super::super::direct_light::{Incidence, LitSurface, highlight_factor};
 use super::super::ray_state::RayState;
 use super::super::shading_point::ShadedLayer;
 use super::super::tracer::Tracer;
-use super::map::FoundPhoton;
-use super::{Found, Photons};
+use super::map::{FoundPhoton, SearchPoint};
+use super::{Found, Photons, SearchedMap};
 use crate::color::Rgb;
 use crate::math::{DVec3, fp};
 use std::f64::consts::PI;
@@ -13,21 +13,31 @@ use std::f64::consts::PI;
 /// Factor of the radius of a search that is repeated because too few photons were found.
 const EXPANSION: f64 = 3.0;
 /// Minimum cosine of the angle of incidence by which flux is divided.
-const MIN_COS: f64 = 0.05;
+const MIN_COS: f64 = 0.1;
+/// Factor of the normal in [`SearchPoint::flattening`] (quirk: `photons_off_surface`).
+const FLATTENING: f64 = 16.0;
+
+/// True if a layer shows the light of photons.
+pub(super) fn reflects_photons(shaded: &ShadedLayer) -> bool {
+    let finish = &shaded.layer.finish;
+    let is_diffuse = finish.diffuse != 0.0 || finish.diffuse_back != 0.0;
+    is_diffuse && shaded.opacity != 0.0 || finish.has_highlights()
+}
 
 impl Photons {
-    /// Finds the photons of an estimate on a surface, and returns the radius that the photons fill. `farther` is a buffer for
-    /// a second search.
-    fn surface_photons_and_radius(&self, p: DVec3, found: &mut Found, farther: &mut Found) -> f64 {
+    /// Finds the photons of an estimate in one of the maps, and returns the radius that the photons fill. `buffers` receive
+    /// the photons, first, and those of a second search.
+    fn photons_and_radius(&self, map: &SearchedMap, at: SearchPoint, buffers: &mut [Found; 2]) -> f64 {
+        let [found, farther] = buffers;
         let [least, most] = self.gather;
-        let narrow = self.surface.find_nearest_and_radius(p, self.radius[0], most, found);
+        let narrow = map.photons.find_nearest_and_radius(at, map.radius, most, found);
         let n_found = found.len();
         if n_found >= least {
             return narrow;
         }
         // Search farther, unless the density rises too much at a border
         let before = n_found as f64 / (narrow * narrow);
-        let wide = self.surface.find_nearest_and_radius(p, self.radius[0] * EXPANSION, most, farther);
+        let wide = map.photons.find_nearest_and_radius(at, map.radius * EXPANSION, most, farther);
         let after = farther.len() as f64 / (wide * wide);
         if farther.len() < self.expand_min || after <= before * (1.0 + self.max_increase) {
             std::mem::swap(found, farther);
@@ -43,16 +53,15 @@ impl Tracer<'_> {
     #[inline(never)]
     pub(in super::super) fn photon_light<'s>(&mut self, state: &RayState, surface: &impl LitSurface<'s>) -> Rgb {
         let Some(photons) = &self.context.photons else { return Rgb::ZERO };
-        if photons.surface.is_empty() || !surface.part().collects_photons {
+        if photons.surface.photons.is_empty() || !surface.part().collects_photons {
             return Rgb::ZERO;
         }
-        let reflects =
-            |shaded: &ShadedLayer| shaded.layer.finish.diffuse != 0.0 || shaded.layer.finish.diffuse_back != 0.0;
-        if !surface.any_layer(reflects) {
+        if !surface.any_layer(reflects_photons) {
             return Rgb::ZERO;
         }
-        let [found, farther] = &mut self.photon_buffers;
-        let radius = photons.surface_photons_and_radius(surface.point(), found, farther);
+        let at = SearchPoint { point: surface.point(), flattening: FLATTENING * surface.top_normal() };
+        let radius = photons.photons_and_radius(&photons.surface, at, &mut self.photon_buffers);
+        let found = &self.photon_buffers[0];
         if found.is_empty() || radius <= 0.0 {
             return Rgb::ZERO;
         }
@@ -60,15 +69,15 @@ impl Tracer<'_> {
         let has_highlights = state.bounces == 0;
         let sum = surface.weighted_layer_sum(|shaded| {
             let finish = &shaded.layer.finish;
-            let has_highlights = has_highlights && (finish.phong.strength != 0.0 || finish.specular.strength != 0.0);
+            let has_highlights = has_highlights && finish.has_highlights();
             // Sum the terms of `diffuse_factor` without the factors that all photons share
             let (mut diffuse, mut highlights) = (Rgb::ZERO, Rgb::ZERO);
             for found in found.iter() {
-                let photon = photons.surface.power(found.index());
+                let photon = photons.surface.photons.power(found.index());
                 let to_light = -photon.dir();
                 let cos = shaded.normal.dot(to_light);
-                // The density of photons contains the cosine at the smooth surface.
-                let flux = photon.flux() / smooth.dot(to_light).abs().max(MIN_COS);
+                // The density of photons contains the cosine at the smooth surface (quirk: `photons_from_behind`).
+                let flux = photon.flux() / smooth.dot(to_light).max(MIN_COS);
                 let is_front = cos > 0.0 || both_sides;
                 let amount = if is_front { finish.diffuse } else { finish.diffuse_back };
                 if amount != 0.0 && !shaded.is_translucent {
@@ -89,16 +98,16 @@ impl Tracer<'_> {
     #[inline(never)]
     pub(in super::super) fn photon_fluence(&mut self, p: DVec3, dir: DVec3, phase: impl Fn(f64) -> f64) -> Rgb {
         let Some(photons) = &self.context.photons else { return Rgb::ZERO };
-        if photons.media.is_empty() {
+        if photons.media.photons.is_empty() {
             return Rgb::ZERO;
         }
-        let found = &mut self.photon_buffers[0];
-        let radius = photons.media.find_nearest_and_radius(p, photons.radius[1], photons.gather[1], found);
+        let radius = photons.photons_and_radius(&photons.media, SearchPoint::in_space(p), &mut self.photon_buffers);
+        let found = &self.photon_buffers[0];
         if radius <= 0.0 {
             return Rgb::ZERO;
         }
         let light = |found: &FoundPhoton| {
-            let photon = photons.media.power(found.index());
+            let photon = photons.media.photons.power(found.index());
             phase(-dir.dot(photon.dir())) * photon.flux()
         };
         let sum: Rgb = found.iter().map(light).sum();

@@ -86,6 +86,23 @@ impl FoundPhoton {
 /// Photons that a search has found; a heap with the farthest photon first once the list holds the maximum number.
 pub type Found = Vec<FoundPhoton>;
 
+/// A point near which photons are searched, and the measure of their distance: that of a photon at `point` + d is
+/// |d|·√(1 + |`flattening`·d|).
+#[derive(Clone, Copy, Debug)]
+pub struct SearchPoint {
+    /// Point in world space.
+    pub point: DVec3,
+    /// Normal of a surface times a factor (1 / length), by which photons off the surface are more distant; 0 in space.
+    pub flattening: DVec3,
+}
+
+impl SearchPoint {
+    /// Creates a point of a search for photons in all directions.
+    pub fn in_space(point: DVec3) -> Self {
+        Self { point, flattening: DVec3::ZERO }
+    }
+}
+
 /// A balanced kd-tree of photons: each node divides its blocks of [`LEAF`] photons into halves along an axis.
 #[derive(Debug, Default)]
 pub struct PhotonMap {
@@ -94,8 +111,10 @@ pub struct PhotonMap {
     powers: Vec<PhotonPower>,
     /// Divisions of the nodes, by the index of the first block behind the plane; entry 0 is unused.
     divisions: Vec<Division>,
-    /// Minimum and maximum coordinates of the photons.
-    bounds: [[f32; 3]; 2],
+    /// Boxes of the blocks.
+    block_bounds: Vec<Bounds>,
+    /// Box of all photons.
+    bounds: Bounds,
 }
 
 /// Positions of the photons of a leaf, a list for each coordinate.
@@ -107,6 +126,55 @@ struct Division {
     /// Coordinate of the plane: the minimum of the photons behind the plane. No photon in front of it has a larger one.
     at: f32,
     axis: u8,
+    /// Box of the node's photons.
+    bounds: Bounds,
+}
+
+/// Minimum and maximum coordinates of photons. Of no photons, the minimum is ∞ and the maximum -∞.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] }
+    }
+}
+
+impl Bounds {
+    fn of(photons: &[Photon]) -> Self {
+        let mut bounds = Self::default();
+        for photon in photons {
+            bounds.add(&Self { low: photon.position, high: photon.position });
+        }
+        bounds
+    }
+
+    /// Extends the box to contain another one.
+    fn add(&mut self, other: &Self) {
+        for i in 0..3 {
+            self.low[i] = self.low[i].min(other.low[i]);
+            self.high[i] = self.high[i].max(other.high[i]);
+        }
+    }
+
+    /// Returns the distance of a point from the box along each axis.
+    fn axis_distances(&self, p: [f32; 3]) -> [f32; 3] {
+        [0, 1, 2].map(|i| (self.low[i] - p[i]).max(p[i] - self.high[i]).max(0.0))
+    }
+
+    /// Returns the minimum of |n·(q - p)| for the points q of the box.
+    fn distance_along(&self, n: [f32; 3], p: [f32; 3]) -> f32 {
+        let (mut least, mut most) = (0.0, 0.0);
+        for i in 0..3 {
+            let (a, b) = (n[i] * (self.low[i] - p[i]), n[i] * (self.high[i] - p[i]));
+            least += a.min(b);
+            most += a.max(b);
+        }
+        least.max(-most).max(0.0)
+    }
 }
 
 impl PhotonMap {
@@ -130,16 +198,16 @@ impl PhotonMap {
     /// Creates a map from photons in the order of the tree, and the axes of its divisions.
     fn from_parts(photons: Vec<Photon>, axes: &[u8]) -> Self {
         let mut divisions = vec![Division::default(); axes.len()];
-        find_divisions(&photons, axes, &mut divisions);
+        let block_bounds: Vec<Bounds> = photons.chunks(LEAF).map(Bounds::of).collect();
+        let bounds = find_divisions(&block_bounds, axes, &mut divisions);
         let coordinate = |chunk: &[Photon], i: usize, axis: usize| {
             chunk.get(i).map_or(f32::INFINITY, |photon| photon.position[axis])
         };
         let block = |chunk: &[Photon]| [0, 1, 2].map(|axis| std::array::from_fn(|i| coordinate(chunk, i, axis)));
         let blocks = photons.chunks(LEAF).map(block).collect();
-        let bounds = bounds(&photons);
         // (The standard library reuses the memory of `photons`.)
         let powers = photons.into_iter().map(|Photon { flux, dir, .. }| PhotonPower { flux, dir }).collect();
-        Self { blocks, powers, divisions, bounds }
+        Self { blocks, powers, divisions, block_bounds, bounds }
     }
 
     /// Returns the photons in the order of the tree. The first photon of each block comes with the axis of the division in
@@ -174,11 +242,11 @@ impl PhotonMap {
 
     /// Finds the `count` photons nearest to a point within a radius, or all if there are fewer, and returns the radius that
     /// they fill: the distance of the farthest photon if there are `count`, `radius` otherwise. `count` must not be 0.
-    pub fn find_nearest_and_radius(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
+    pub fn find_nearest_and_radius(&self, from: SearchPoint, radius: f64, count: usize, found: &mut Found) -> f64 {
         found.clear();
-        let mut search = Search { map: self, p: p.as_vec3().to_array(), limit: (radius * radius) as f32, count, found };
-        let [low, high] = self.bounds;
-        let axis_distances = [0, 1, 2].map(|i| (low[i] - search.p[i]).max(search.p[i] - high[i]).max(0.0));
+        let [p, flattening] = [from.point, from.flattening].map(|v| v.as_vec3().to_array());
+        let mut search = Search { map: self, p, flattening, limit: (radius * radius) as f32, count, found };
+        let axis_distances = self.bounds.axis_distances(search.p);
         let [x, y, z] = axis_distances;
         if !self.is_empty() && x * x + y * y + z * z < search.limit {
             search.visit_all(axis_distances);
@@ -192,7 +260,7 @@ impl PhotonMap {
         let (mut sum, mut found) = (0.0, Found::default());
         for i in 0..n {
             let p = DVec3::from_array(self.position(i * self.len() / n).map(f64::from));
-            self.find_nearest_and_radius(p, f64::MAX.sqrt(), count.min(self.len()), &mut found);
+            self.find_nearest_and_radius(SearchPoint::in_space(p), f64::MAX.sqrt(), count.min(self.len()), &mut found);
             let farthest = found.iter().map(|photon| photon.squared_distance()).fold(0.0, f32::max);
             sum += f64::from(farthest).sqrt();
         }
@@ -207,7 +275,7 @@ fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
         return;
     }
     // Axis along which the photons extend farthest
-    let [low, high] = bounds(photons);
+    let Bounds { low, high } = Bounds::of(photons);
     let extent = |i: &usize| high[*i] - low[*i];
     let axis = (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
     let middle = axes.len() / 2;
@@ -219,36 +287,28 @@ fn sort_into_tree_order(photons: &mut [Photon], axes: &mut [u8]) {
     sort_into_tree_order(above, axes_above);
 }
 
-/// Finds the planes of the divisions of photons in the order of the tree.
-fn find_divisions(photons: &[Photon], axes: &[u8], divisions: &mut [Division]) {
+/// Finds the planes and boxes of the divisions of photons in the order of the tree, from the boxes of their blocks, and
+/// returns the box of all.
+fn find_divisions(blocks: &[Bounds], axes: &[u8], divisions: &mut [Division]) -> Bounds {
     if axes.len() <= 1 {
-        return;
+        return blocks.first().copied().unwrap_or_default();
     }
     let middle = axes.len() / 2;
-    let (below, above) = photons.split_at(middle * LEAF);
+    let (below, above) = blocks.split_at(middle);
+    let mut bounds = find_divisions(below, &axes[..middle], &mut divisions[..middle]);
+    let bounds_above = find_divisions(above, &axes[middle..], &mut divisions[middle..]);
+    bounds.add(&bounds_above);
     let axis = axes[middle];
-    let at = above.iter().map(|photon| photon.position[axis as usize]).fold(f32::INFINITY, f32::min);
-    divisions[middle] = Division { at, axis };
-    find_divisions(below, &axes[..middle], &mut divisions[..middle]);
-    find_divisions(above, &axes[middle..], &mut divisions[middle..]);
-}
-
-/// Returns the minimum and maximum coordinates of photons. Of an empty list, the minimum is ∞ and the maximum -∞.
-fn bounds(photons: &[Photon]) -> [[f32; 3]; 2] {
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for photon in photons {
-        for i in 0..3 {
-            low[i] = low[i].min(photon.position[i]);
-            high[i] = high[i].max(photon.position[i]);
-        }
-    }
-    [low, high]
+    divisions[middle] = Division { at: bounds_above.low[axis as usize], axis, bounds };
+    bounds
 }
 
 /// A search for the photons nearest to a point.
 struct Search<'a> {
     map: &'a PhotonMap,
     p: [f32; 3],
+    /// See [`SearchPoint::flattening`].
+    flattening: [f32; 3],
     /// Squared distance from the point of the search from which on photons are ignored; shrinks as nearer ones are
     /// found.
     limit: f32,
@@ -299,7 +359,7 @@ impl Search<'_> {
             // Descend to the leaf on the point's side of each division
             while part.to - part.from > 1 {
                 let middle = part.from + (part.to - part.from) / 2;
-                let Division { at, axis } = self.map.divisions[middle as usize];
+                let Division { at, axis, .. } = self.map.divisions[middle as usize];
                 let beyond = self.p[axis as usize] - at;
                 let mut far = part;
                 far.axis_distances[axis as usize] = beyond;
@@ -319,23 +379,40 @@ impl Search<'_> {
                 n_pending -= 1;
                 part = pending[n_pending];
                 let [x, y, z] = part.axis_distances;
-                if x * x + y * y + z * z < self.limit {
+                if x * x + y * y + z * z < self.limit && self.is_near_surface(&part) {
                     break;
                 }
             }
         }
     }
 
+    /// True if photons of the part can be nearer than the limit, by the distance of its box from the surface.
+    #[inline(always)]
+    fn is_near_surface(&self, part: &Pending) -> bool {
+        if self.flattening == [0.0; 3] {
+            return true;
+        }
+        let middle = part.from + (part.to - part.from) / 2;
+        let bounds = match part.to - part.from {
+            1 => &self.map.block_bounds[part.from as usize],
+            _ => &self.map.divisions[middle as usize].bounds,
+        };
+        let [x, y, z] = bounds.axis_distances(self.p);
+        // (Rounding must not hide a photon.)
+        let factor = 0.999 * (1.0 + bounds.distance_along(self.flattening, self.p));
+        (x * x + y * y + z * z) * factor < self.limit
+    }
+
     /// Adds the photons of a block that are near enough.
     #[inline(always)]
     fn visit_leaf(&mut self, number: u32) {
         let [x, y, z] = &self.map.blocks[number as usize];
-        let [px, py, pz] = self.p;
+        let ([px, py, pz], [fx, fy, fz]) = (self.p, self.flattening);
         // (A loop that the compiler turns into vectors.)
         let mut squared = [0.0; LEAF];
         for i in 0..LEAF {
             let (x, y, z) = (x[i] - px, y[i] - py, z[i] - pz);
-            squared[i] = x * x + y * y + z * z;
+            squared[i] = (x * x + y * y + z * z) * (1.0 + (fx * x + fy * y + fz * z).abs());
         }
         let (limit, mut near) = (Vec4::splat(self.limit), 0);
         for at in (0..LEAF).step_by(4) {
@@ -405,13 +482,17 @@ mod tests {
         let mut found = Found::default();
         for _ in 0..50 {
             let p = point();
-            let mut all: Vec<f64> = points.iter().map(|q| q.distance(p)).collect();
-            all.sort_by(f64::total_cmp);
-            let radius = map.find_nearest_and_radius(p, 10.0, 40, &mut found);
-            assert!(found.len() == 40 && (radius - all[39]).abs() < 1e-6);
-            let within = all.iter().filter(|d| **d < 0.1).count();
-            let radius = map.find_nearest_and_radius(p, 0.1, 4000, &mut found);
-            assert!((radius - 0.1).abs() < 1e-7 && found.len() == within);
+            for flattening in [DVec3::ZERO, DVec3::new(8.0, -3.0, 0.0)] {
+                let from = SearchPoint { point: p, flattening };
+                let distance = |d: DVec3| d.length() * (1.0 + flattening.dot(d).abs()).sqrt();
+                let mut all: Vec<f64> = points.iter().map(|q| distance(*q - p)).collect();
+                all.sort_by(f64::total_cmp);
+                let radius = map.find_nearest_and_radius(from, 10.0, 40, &mut found);
+                assert!(found.len() == 40 && (radius - all[39]).abs() < 1e-6);
+                let within = all.iter().filter(|d| **d < 0.1).count();
+                let radius = map.find_nearest_and_radius(from, 0.1, 4000, &mut found);
+                assert!((radius - 0.1).abs() < 1e-7 && found.len() == within);
+            }
         }
     }
 }

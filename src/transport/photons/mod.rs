@@ -16,17 +16,25 @@ use map::{Photon, PhotonMap};
 
 /// Radius of a search, as a multiple of the mean distance of the farthest photon of an estimate.
 const RADIUS_FACTOR: f64 = 3.0;
+/// Factor of the radius of a search in media (quirk: `photon_radius_in_media`).
+const MEDIA_RADIUS_FACTOR: f64 = 2.0;
 
 /// Photons of a frame, and the parameters of their estimates.
 #[derive(Debug)]
 pub struct Photons {
-    surface: PhotonMap,
-    media: PhotonMap,
-    /// Radius within which photons are searched for an estimate, on surfaces and in media, in world units.
-    radius: [f64; 2],
+    surface: SearchedMap,
+    media: SearchedMap,
     gather: [usize; 2],
     max_increase: f64,
     expand_min: usize,
+}
+
+/// A photon map with the parameter of its estimates.
+#[derive(Debug)]
+struct SearchedMap {
+    photons: PhotonMap,
+    /// Radius within which photons are searched for an estimate, in world units.
+    radius: f64,
 }
 
 /// Photon pass of a frame: the plan of all photons to emit, and the settings of the photon map.
@@ -58,9 +66,8 @@ impl Photons {
             stated => stated * settings.radius_factor[i],
         };
         Self {
-            radius: [radius(&surface, 0), radius(&media, 1)],
-            surface,
-            media,
+            surface: SearchedMap { radius: radius(&surface, 0), photons: surface },
+            media: SearchedMap { radius: MEDIA_RADIUS_FACTOR * radius(&media, 1), photons: media },
             gather,
             max_increase: settings.max_increase,
             expand_min: settings.expand_min as usize,
@@ -69,7 +76,7 @@ impl Photons {
 
     /// True if any photon is stored in a medium.
     pub(super) fn has_media_photons(&self) -> bool {
-        !self.media.is_empty()
+        !self.media.photons.is_empty()
     }
 }
 

@@ -28,10 +28,10 @@ impl Photons {
     /// # Errors
     /// If the file cannot be written.
     pub fn save(&self, [scene, computation]: [Digest; 2], out: &mut dyn Write) -> io::Result<()> {
-        let counts = [&self.surface, &self.media].map(|map| map.len() as u64);
+        let counts = [&self.surface, &self.media].map(|map| map.photons.len() as u64);
         let header = LightHeader { kind: LightKind::Photons, scene, computation, counts };
         let mut writer = LightWriter::new(out, &header);
-        for (photon, axis) in self.surface.tree().chain(self.media.tree()) {
+        for (photon, axis) in self.surface.photons.tree().chain(self.media.photons.tree()) {
             photon.numbers().try_for_each(|number| writer.push(&number.to_le_bytes()))?;
             writer.push(&[axis])?;
         }

@@ -1,7 +1,7 @@
 //! The path of a photon from a light over a target to the surfaces and media that store the photon.
 
 use super::super::context::interiors_around;
-use super::super::interface::{Interiors, copy_interiors};
+use super::super::interface::{Interface, Interiors, copy_interiors};
 use super::super::radiance::Radiance;
 use super::super::ray_state::{MAX_SURFACES, RayState};
 use super::super::scatter::Boundary;
@@ -9,11 +9,12 @@ use super::super::segment::{ShadowSegments, Span};
 use super::super::shading_point::ShadingPoint;
 use super::super::tracer::Tracer;
 use super::emission::{Emitted, Job, Source, photon_power_per_measure};
+use super::gather::reflects_photons;
 use super::map::Photon;
 use super::{PhotonPass, PhotonShard, Ring};
 use crate::color::Rgb;
 use crate::math::{Range, Ray};
-use crate::world::{LightSource, Medium};
+use crate::world::{LightSource, Medium, World};
 use std::cell::Cell;
 
 /// A photon in flight.
@@ -30,6 +31,14 @@ struct Beam<'a, 'w> {
     pass: &'a PhotonPass,
     source: &'a Source,
     light: &'w LightSource,
+}
+
+impl Beam<'_, '_> {
+    /// True if photons pass the object on their way to the target (`pass_through`).
+    fn passes(&self, world: &World, object: u32) -> bool {
+        let settings = &world.photons[world.objects[object as usize].photons as usize];
+        object != self.source.target && settings.pass_through == Some(true)
+    }
 }
 
 impl<'w> Tracer<'w> {
@@ -87,32 +96,23 @@ impl<'w> Tracer<'w> {
         self.random.next_vertex();
         let (world, source) = (self.context.world, beam.source);
         let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
-        let settings_of = |object: u32| &world.photons[world.objects[object as usize].photons as usize];
         let has_passed = Cell::new(false);
-        let passes = |object: u32| {
-            let default = || !world.objects[object as usize].shadow;
-            let passes = !flight.has_hit_target
-                && object != source.target
-                && settings_of(object).pass_through.unwrap_or_else(default);
-            has_passed.set(has_passed.get() || passes);
-            passes
+        let is_hit = |object: u32| {
+            let is_hit = world.objects[object as usize].is_hit_by_photons
+                && (flight.has_hit_target || !beam.passes(world, object));
+            has_passed.set(has_passed.get() || !is_hit);
+            is_hit
         };
-        let Some(hit) = world.geometry.closest(&flight.state.ray, range, |object| !passes(object)) else { return };
+        let Some(hit) = world.geometry.closest(&flight.state.ray, range, is_hit) else { return };
         if !flight.has_hit_target {
             // Another object is in front of the target.
             if hit.object != source.target {
                 return;
             }
             ring.hits_target = true;
-            let point = flight.state.ray.at(hit.t());
-            flight.state.throughput *= beam.light.emitter.beam_share_at(point, -flight.state.ray.dir, hit.t());
+            self.attenuate_before_target(beam, &mut flight.state, hit.t(), has_passed.get());
             if flight.state.throughput == Rgb::ZERO {
                 return;
-            }
-            // The target can be inside of an object that the photon has passed.
-            if has_passed.get() && self.context.tracks_interiors {
-                let before = flight.state.ray.at(hit.t() - world.epsilon.surface);
-                flight.state.inside = interiors_around(world, before);
             }
         } else if beam.pass.settings.media_steps > 0 {
             self.store_in_media(beam, &flight, hit.t(), ring);
@@ -132,46 +132,69 @@ impl<'w> Tracer<'w> {
         // Store the photon
         let interface = self.interface(&flight.state, &hit);
         let shading = ShadingPoint::new(world, &ray, &hit, &self.context.quality, &interface);
-        if flight.has_hit_target && self.stores_photons(beam, &shading) {
+        if flight.has_hit_target && stores_photons(&shading) {
             let flux = flight.state.throughput * photon_power_per_measure(source, beam.light, flight.distance);
             ring.surface.push(Photon::new(shading.point, flux, ray.dir));
         }
-        // Photons that continue
-        let [refracts, reflects] =
-            world.photon_refracts_and_reflects(beam.light, world.objects[hit.object as usize].photons);
+        // Photons that continue; all are attenuated (the quirk `attenuation_beyond_surface` is one of camera rays)
+        if world.colors_light && interface.leaves_interior() {
+            flight.state.throughput *= self.interior_transmittance(shading.part.interior, hit.t());
+        }
+        let continues = world.photon_refracts_and_reflects(beam.light, world.objects[hit.object as usize].photons);
+        self.add_continued(flight, &shading, &interface, continues, flights);
+    }
+
+    /// Multiplies the throughput of a photon, which hits its target at a distance from the light, by the share of the light's
+    /// beam, and by the transmittance of objects that it has passed if `has_passed`; updates its interiors.
+    fn attenuate_before_target(&mut self, beam: &Beam<'_, 'w>, state: &mut RayState, distance: f64, has_passed: bool) {
+        let (world, ray) = (self.context.world, state.ray);
+        state.throughput *= beam.light.emitter.beam_share_at(ray.at(distance), -ray.dir, distance);
+        if !has_passed || state.throughput == Rgb::ZERO {
+            return;
+        }
+        // quirk: pass_through_transparent
+        let filters = |object| world.objects[object as usize].is_hit_by_photons && beam.passes(world, object);
+        state.throughput *= self.transmittance_of_surfaces(&ray, distance, filters);
+        // The target can be inside of an object that the photon has passed.
+        if self.context.tracks_interiors {
+            state.inside = interiors_around(world, ray.at(distance - world.epsilon.surface));
+        }
+    }
+
+    /// Adds the photons that continue from a surface which refracts photons or not, and reflects them or not.
+    fn add_continued(
+        &mut self,
+        Flight { mut state, distance, .. }: Flight,
+        shading: &ShadingPoint<'w>,
+        interface: &Interface,
+        [refracts, reflects]: [bool; 2],
+        flights: &mut Vec<Flight>,
+    ) {
         if !refracts && !reflects {
             return;
         }
-        let attenuation = match world.colors_light && interface.leaves_interior() {
-            true => self.interior_transmittance(shading.part.interior, hit.t()),
-            false => Rgb::ONE,
-        };
-        let is_total = shading.materials.iter().any(|m| interface.refract(ray.dir, m.normal).is_none());
-        (flight.state.is_reflected, flight.state.has_transmitted) = (false, false);
+        let dir = state.ray.dir;
+        let is_total = shading.materials.iter().any(|material| interface.refract(dir, material.normal).is_none());
+        (state.is_reflected, state.has_transmitted) = (false, false);
         let pending = self.queue.len();
-        let boundary = Boundary { shading: &shading, interface: &interface, attenuation };
         let mut unused = Radiance::ZERO;
-        self.scatter(&flight.state, &boundary, &mut unused);
-        let allowed = |state: &RayState| match state.has_transmitted {
-            true => refracts,
-            false => reflects || (is_total && refracts),
-        };
-        let continued = self.queue.drain(pending..).filter(|state| allowed(state) && state.throughput != Rgb::ZERO);
-        flights.extend(continued.map(|state| Flight { state, distance: flight.distance, has_hit_target: true }));
-    }
-
-    /// True if the surface stores photons of the beam's light: the object collects photons, and the surface has a
-    /// diffuse part and is lit by the light. The caller checks that the photon has hit a target.
-    fn stores_photons(&self, beam: &Beam, shading: &ShadingPoint) -> bool {
-        let world = self.context.world;
-        let is_lit = || world.lit_by[shading.part.light_set() as usize].contains(&beam.source.light);
-        let is_diffuse = || {
-            shading.layers().any(|shaded| {
-                let finish = &shaded.layer.finish;
-                shaded.opacity != 0.0 && (finish.diffuse != 0.0 || finish.diffuse_back != 0.0)
-            })
-        };
-        shading.part.collects_photons && is_diffuse() && is_lit()
+        self.scatter(&state, &Boundary { shading, interface, attenuation: Rgb::ONE }, &mut unused);
+        for mut next in self.queue.drain(pending..) {
+            let is_allowed = if next.has_transmitted {
+                // (quirk: `straight_ray_keeps_level` is one of camera rays.)
+                next.level = state.level + 1;
+                refracts
+            } else if is_total {
+                reflects || refracts
+            } else {
+                // quirk: photon_weight_of_reflection
+                next.weight *= next.weight / state.weight;
+                reflects && next.weight > self.adc_bailout
+            };
+            if is_allowed && next.throughput != Rgb::ZERO {
+                flights.push(Flight { state: next, distance, has_hit_target: true });
+            }
+        }
     }
 
     /// Stores photons along a stretch of the ray, at points where a medium that collects photons has a density; none
@@ -193,6 +216,8 @@ impl<'w> Tracer<'w> {
         let step = beam.source.spacing * settings.media_factor * spread.max(1e-9);
         let n = (length / step).ceil().clamp(1.0, f64::from(settings.media_steps)) as u32;
         let step = length / f64::from(n);
+        // quirk: photons_diverge_in_media
+        let flux_step = |t: f64| if beam.source.is_cone() { step * (1.0 + t / flight.distance) } else { step };
         let random = self.random.sequence(super::super::random::Purpose::Media);
         let segments =
             ShadowSegments { distance: length, has_air: false, has_media: true, scene_media_in_solids: false };
@@ -208,8 +233,14 @@ impl<'w> Tracer<'w> {
                 let flux = state.throughput
                     * transmittance
                     * photon_power_per_measure(beam.source, beam.light, flight.distance + t);
-                ring.media.push(Photon::new(p, flux * step, ray.dir));
+                ring.media.push(Photon::new(p, flux * flux_step(t), ray.dir));
             }
         }
     }
+}
+
+/// True if the surface stores photons. (Objects of a `light_group` store photons of all lights that emit any; quirk:
+/// `photons_of_global_lights`.)
+fn stores_photons(shading: &ShadingPoint) -> bool {
+    shading.part.collects_photons && shading.layers().any(|shaded| reflects_photons(shaded))
 }

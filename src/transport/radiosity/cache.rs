@@ -179,7 +179,7 @@ impl RadiosityCache {
         sum
     }
 
-    /// Returns a radiosity sample that may be reused for the query; `None` if there is none.
+    /// Returns a radiosity sample that may be reused for the query; `None` if no sample may.
     pub fn any_usable_sample(&self, query: &Query) -> Option<&Sample> {
         let mut found = None;
         self.visit_usable(query, |sample, _| {

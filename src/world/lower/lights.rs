@@ -2,7 +2,7 @@
 
 use super::{Group, Inherited, Lowering, Solid, lower_alone};
 use crate::diagnostic::Result;
-use crate::light::LoweredLight;
+use crate::light::{LightPhotons, LoweredLight};
 use crate::scene::{Flags, LightSource};
 use crate::world;
 use crate::world::lower::place::not_finite_error;
@@ -29,6 +29,10 @@ impl Lowering {
             }
             None => None,
         };
+        if inherited.lights_here {
+            // quirk: photons_of_global_lights
+            light.photons = LightPhotons { refraction: Some(false), reflection: Some(false), area_light: false };
+        }
         let number = self.lights.len() as u32;
         self.lights.push(world::LightSource { number: number as usize, emitter: LoweredLight::new(&light), through });
         // quirk: light_in_union_of_group

@@ -265,14 +265,21 @@ impl Lowering {
             lights_here: lights.is_some(),
             flags,
             importance: object.uncommon.radiosity.map(|own| own.importance as f32).or(inherited.importance),
-            photons: self.add_photon_settings(object, inherited.photons),
+            photons: self.add_photon_settings(object, inherited.photons, group),
         })
     }
 
-    /// Adds the photon settings of an object in a group with the settings number `group_settings`, and returns their number.
-    fn add_photon_settings(&mut self, object: &Object, group_settings: u32) -> u32 {
-        let Some(own) = object.uncommon.photons else { return group_settings };
-        let settings = own.inherit(self.photons.get(group_settings as usize).copied().unwrap_or_default());
+    /// Adds the photon settings of an object that the lights of `light_set` illuminate, in a group with the settings
+    /// number `group_settings`, and returns their number.
+    fn add_photon_settings(&mut self, object: &Object, group_settings: u32, light_set: u32) -> u32 {
+        // quirk: photons_of_global_lights
+        let is_lit_by_emitters = light_set == 0 || self.groups[light_set as usize - 1].global;
+        if object.uncommon.photons.is_none() && is_lit_by_emitters {
+            return group_settings;
+        }
+        let own = object.uncommon.photons.unwrap_or_default();
+        let mut settings = own.inherit(self.photons.get(group_settings as usize).copied().unwrap_or_default());
+        settings.target = settings.target.filter(|_| is_lit_by_emitters);
         let known = self.photons.iter().position(|other| *other == settings);
         let number = known.unwrap_or(self.photons.len());
         if number == self.photons.len() {
@@ -391,12 +398,15 @@ impl Lowering {
     fn add_object(&mut self, own: &Inherited, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, no_radiosity, .. } = own.flags;
         let (shadow, image, reflection, radiosity) = (!no_shadow, !no_image, !no_reflection, !no_radiosity);
+        // quirk: photons_by_visibility
+        let is_hit_by_photons = shadow && image;
         self.add_info(ObjectInfo {
             shadow,
             image,
             through: image,
             reflection,
             radiosity,
+            is_hit_by_photons,
             photons: own.photons,
             opaque,
             interior,

@@ -30,6 +30,7 @@ impl Lowering {
             through: false,
             reflection: false,
             radiosity: false,
+            is_hit_by_photons: false,
             interior: ObjectInfo::VIEW,
             ..rest
         };
