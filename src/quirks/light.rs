@@ -41,7 +41,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "POV-Ray follows and stores photons without any light, such as red light behind a cyan filter; they count among the \
          `gather` photons of an estimate.",
         "durer drops them: they cost time and memory.",
-        &["tests/suite/photons.rs"],
+        &["tests/random/README.md"],
     ),
     emulated_quirk(
         "circular_area_light",
@@ -139,7 +139,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated_quirk(
         "photons_from_behind",
         "The light of photons on the back of a surface, by the second number of `diffuse` or by `double_illuminate`, \
-         is too bright: ten times the cosine of the angle of incidence.",
+         is too bright, by the factor of ten times the cosine of the angle of incidence.",
         &["tests/suite/photons.rs"],
     ),
     emulated_quirk(

@@ -1,7 +1,7 @@
 //! Shadow rays: the share of a light's radiance that arrives at a surface.
 
 use super::interface::{Interface, Interiors, copy_interiors};
-use super::photons;
+use super::photons::{self, Photons};
 use super::segment::{ShadowSegments, Span};
 use super::shading_point::{self, ShadingPoint};
 use super::tracer::Tracer;
@@ -73,6 +73,9 @@ impl Tracer<'_> {
     /// without photons are faster without this code.)
     #[inline(never)]
     fn is_replaced_by_photons(&self, shadow: &ShadowRay) -> bool {
+        if self.targets_transmit_light || self.context.photons.as_ref().is_none_or(Photons::is_empty) {
+            return false;
+        }
         let world = self.context.world;
         let replaces = |id: u32| {
             let object = &world.objects[id as usize];
@@ -101,7 +104,7 @@ impl Tracer<'_> {
         let Some(filters) = world.geometry.filters_unless_occluded(ray, range, role, occluder) else {
             return Rgb::ZERO;
         };
-        if self.context.photons.is_some() && !self.targets_transmit_light && self.is_replaced_by_photons(shadow) {
+        if self.context.photons.is_some() && self.is_replaced_by_photons(shadow) {
             return Rgb::ZERO;
         }
         // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).
@@ -125,8 +128,8 @@ impl Tracer<'_> {
         transmittance
     }
 
-    /// Returns the product of the transmittances of all surfaces of the objects `filters` along a ray up to a distance,
-    /// without interiors.
+    /// Returns the product of the transmittances of all surfaces along a ray up to a distance, without interiors. Objects for which
+    /// `filters` is false count as absent.
     pub(super) fn transmittance_of_surfaces(&self, ray: &Ray, distance: f64, filters: impl Fn(u32) -> bool) -> Rgb {
         let world = self.context.world;
         let mut transmittance = Rgb::ONE;

@@ -101,7 +101,7 @@ fn unusual_photons_are_as_bright_as_pov_rays() {
         ("spacing 0.05", PANE, 1.0, &[], &below("no_image"), 0.20374),
         ("spacing 0.05", PANE, 1.0, &[], &below("no_shadow"), 0.20374),
         // Such objects are no targets
-        ("spacing 0.05", LENS, 1.1, &[("photons { target", "no_image photons { target")], "", 0.19038),
+        ("spacing 0.05", PANE, 1.0, &[("photons { target", "no_image photons { target")], "", 0.19038),
         ("spacing 0.05", LENS, 1.1, &[("photons { target", "no_shadow photons { target")], "", 0.19038),
         // Objects with `pass_through` filter photons, opaque ones stop them
         ("spacing 0.05", PANE, 1.0, &[], &above(0.7), 0.09984),
@@ -112,6 +112,14 @@ fn unusual_photons_are_as_bright_as_pov_rays() {
             PANE,
             1.0,
             &[("location 2*y", "location -2*y"), (finish, "diffuse 1, 0.1 ambient 0 }")],
+            "",
+            0.07578,
+        ),
+        (
+            "spacing 0.05",
+            PANE,
+            1.0,
+            &[("location 2*y", "location -2*y"), (finish, "diffuse 0.1 ambient 0 } double_illuminate")],
             "",
             0.07578,
         ),
@@ -129,7 +137,7 @@ fn unusual_photons_are_as_bright_as_pov_rays() {
             "",
             0.20374,
         ),
-        ("spacing 0.05", LENS, 1.1, &[("light_source { 10*y, rgb 0.2 ", group_of_light)], "}", 0.19038),
+        ("spacing 0.05", PANE, 1.0, &[("light_source { 10*y, rgb 0.2 ", group_of_light)], "}", 0.19038),
         // A reflection of a half has a weight of a quarter
         (
             "spacing 0.05 adc_bailout 0.1",
@@ -142,6 +150,22 @@ fn unusual_photons_are_as_bright_as_pov_rays() {
             "",
             0.20259,
         ),
+        // Light that coloured glass reflects inside is attenuated
+        (
+            "spacing 0.05",
+            PANE,
+            1.0,
+            &[
+                ("ambient 0 diffuse 0 }", "ambient 0 diffuse 0 reflection 0.5 }"),
+                ("target refraction on", "target refraction on reflection on"),
+                ("ior 1 }", "ior 1 fade_power 1001 fade_distance 0.1 fade_color 0.2 }"),
+            ],
+            "",
+            0.16953,
+        ),
+        // Two surfaces of a pane that does not bend light are two levels; POV-Ray lights a scene without photons as usual
+        ("spacing 0.05 max_trace_level 2", PANE, 1.0, &[], "", 0.19038),
+        ("spacing 0.05 max_trace_level 3", PANE, 1.0, &[], "", 0.20374),
         // A surface without photons is lit through the target; one without diffuse light shows photons by its highlights
         ("spacing 0.05", LENS, 1.1, &[(finish, "diffuse 1 ambient 0 } photons { collect off }")], "", 0.19038),
         ("spacing 0.05", PANE, 1.0, &[(finish, "diffuse 0 ambient 0 phong 1 phong_size 1 }")], "", 0.20374),

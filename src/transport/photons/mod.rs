@@ -74,6 +74,11 @@ impl Photons {
         }
     }
 
+    /// True if no photon is stored.
+    pub(super) fn is_empty(&self) -> bool {
+        self.surface.photons.is_empty() && self.media.photons.is_empty()
+    }
+
     /// True if any photon is stored in a medium.
     pub(super) fn has_media_photons(&self) -> bool {
         !self.media.photons.is_empty()
