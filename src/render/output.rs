@@ -34,11 +34,11 @@ impl OutputConversion {
             rgb = if alpha > 0.0 { rgb / alpha } else { Rgb::ZERO };
         }
         let decode = |x: f64| match self.gamma {
-            Gamma::Power(1.0) => x,
-            Gamma::Power(g) => fp::pow(x, g),
+            Gamma::Power(1.0) => x as f32,
+            Gamma::Power(g) => fp::pow_f32(x, g),
             // Without gamma, a file with the sRGB curve must show the number itself.
-            Gamma::Srgb | Gamma::Raw => srgb_decode(x),
+            Gamma::Srgb | Gamma::Raw => srgb_decode(x) as f32,
         };
-        [decode(rgb.x) as f32, decode(rgb.y) as f32, decode(rgb.z) as f32, alpha as f32]
+        [decode(rgb.x), decode(rgb.y), decode(rgb.z), alpha as f32]
     }
 }

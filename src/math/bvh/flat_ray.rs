@@ -49,3 +49,61 @@ impl FlatRay {
         }
     }
 }
+
+/// Construction for AVX2, with the three axes at once: the same operations, and so the same bits.
+#[cfg(target_arch = "x86_64")]
+pub(super) mod avx2 {
+    use super::{FlatRay, Range, Ray, SLACK, Wide, pad_down};
+    use crate::math::DVec3;
+    use glam::Vec4;
+    use std::arch::x86_64::*;
+
+    /// Returns the coordinates along the three axes; the fourth number is unused.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn lanes(v: DVec3) -> __m256d {
+        _mm256_setr_pd(v.x, v.y, v.z, 1.0)
+    }
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn array(v: __m128) -> [f32; 3] {
+        Vec4::from(v).truncate().to_array()
+    }
+
+    /// Returns the ray for a range that begins behind its origin. (Not inlined: [`flat_ray`] then is.)
+    #[cold]
+    #[inline(never)]
+    fn flat_ray_backwards(ray: &Ray, range: Range, root: &Wide) -> FlatRay {
+        FlatRay::new(ray, range, root)
+    }
+
+    /// Returns the same as [`FlatRay::new`].
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    pub fn flat_ray(ray: &Ray, range: Range, root: &Wide) -> FlatRay {
+        if range.min < 0.0 {
+            return flat_ray_backwards(ray, range, root);
+        }
+        let (origin, dir) = (lanes(ray.origin), lanes(ray.dir));
+        let sign = _mm256_set1_pd(-0.0);
+        let error = _mm256_mul_pd(_mm256_andnot_pd(sign, origin), _mm256_set1_pd(2.5e-7));
+        let error = _mm256_or_pd(_mm256_max_pd(error, _mm256_set1_pd(1e-19)), _mm256_and_pd(sign, dir));
+        let inverse = _mm256_div_pd(_mm256_set1_pd(1.0), dir);
+        let sign = _mm_and_ps(_mm256_cvtpd_ps(inverse), _mm_set1_ps(-0.0));
+        let scaled = |factor: f64, least: f32| {
+            let size =
+                _mm_andnot_ps(_mm_set1_ps(-0.0), _mm256_cvtpd_ps(_mm256_mul_pd(inverse, _mm256_set1_pd(factor))));
+            array(_mm_or_ps(_mm_min_ps(_mm_max_ps(size, _mm_set1_ps(least)), _mm_set1_ps(f32::MAX)), sign))
+        };
+        let negative = _mm256_movemask_pd(dir) as usize;
+        FlatRay {
+            enter: array(_mm256_cvtpd_ps(_mm256_add_pd(origin, error))),
+            leave: array(_mm256_cvtpd_ps(_mm256_sub_pd(origin, error))),
+            enter_inverse: scaled(1.0 - SLACK, 0.0),
+            leave_inverse: scaled(1.0 + SLACK, f32::MIN_POSITIVE),
+            side: [negative & 1, negative >> 1 & 1, negative >> 2 & 1],
+            min: pad_down(range.min),
+        }
+    }
+}

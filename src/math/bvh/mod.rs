@@ -40,10 +40,10 @@ pub fn fits_single_precision(b: &Aabb) -> bool {
     b.min.abs().max(b.max.abs()).max_element() < REACH
 }
 
-/// Traverses a BVH with one of the two implementations of `slabs`, portable or AVX2.
+/// Traverses a BVH with one of the two implementations of `FlatRay::new` and `slabs`, portable or AVX2.
 macro_rules! walk {
-    ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
-        let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
+    ($flat_ray:path, $slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
+        let flat = $flat_ray($ray, $range, &$bvh.nodes[0]);
         let (mut max, mut flat_max) = ($range.max, pad_up($range.max));
         // (Entries whose bits are all 0 are cleared many at a time.)
         let mut stack = [Entry { near: 0.0, child: Child::node(0) }; STACK];
@@ -101,11 +101,11 @@ macro_rules! walk {
 }
 use walk;
 
-/// Visits the children of a BVH's only node with one of the two implementations of `slabs`, near ones first. (A scene of up
+/// Visits the children of a BVH's only node with one of the two implementations, near ones first. (A scene of up
 /// to eight objects has one node; a traversal with a stack takes a quarter more instructions there.)
 macro_rules! visit_only_node {
-    ($slabs:path, $node:expr, $ray:ident, $range:ident, $visit:ident) => {{
-        let flat = FlatRay::new($ray, $range, $node);
+    ($flat_ray:path, $slabs:path, $node:expr, $ray:ident, $range:ident, $visit:ident) => {{
+        let flat = $flat_ray($ray, $range, $node);
         let mut max = $range.max;
         let (mut mask, near) = $slabs($node, &flat, pad_up(max));
         while mask != 0 {
@@ -174,10 +174,10 @@ impl Bvh {
         mut visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
     ) {
         if let [only] = &*self.nodes {
-            visit_only_node!(node::slabs, only, ray, range, visit);
+            visit_only_node!(FlatRay::new, node::slabs, only, ray, range, visit);
             return;
         }
-        walk!(node::slabs, self, ray, range, |_| (), visit);
+        walk!(FlatRay::new, node::slabs, self, ray, range, |_| (), visit);
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -189,10 +189,10 @@ impl Bvh {
         mut visit: impl FnMut(ItemPosition, RangeEnd) -> ControlFlow<(), RangeEnd>,
     ) {
         if let [only] = &*self.nodes {
-            visit_only_node!(node::avx2::slabs, only, ray, range, visit);
+            visit_only_node!(flat_ray::avx2::flat_ray, node::avx2::slabs, only, ray, range, visit);
             return;
         }
-        walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
+        walk!(flat_ray::avx2::flat_ray, node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
     /// Calls `visit` with the items of the BVH whose boxes contain the point, and with the other items of their leaves,

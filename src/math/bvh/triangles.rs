@@ -2,7 +2,7 @@
 
 use super::node::{self, Child, Kind, WIDTH};
 use super::pack::{self, Pack};
-use super::{Bvh, Entry, FlatRay, STACK, nearest_child_pushing_others, pad_up};
+use super::{Bvh, Entry, FlatRay, STACK, flat_ray, nearest_child_pushing_others, pad_up};
 use crate::math::{Aabb, DVec2, Range, Ray, Sheared};
 use glam::Vec3;
 use std::ops::ControlFlow;
@@ -15,9 +15,9 @@ pub struct Triangles {
     packs: Vec<Pack>,
 }
 
-/// Traverses a BVH of triangles with one of the two implementations of `slabs` and `areas`, portable or AVX2.
+/// Traverses a BVH of triangles with one of the two implementations of its functions, portable or AVX2.
 macro_rules! meet {
-    ($slabs:path, $areas:path, $all:ident, $ray:ident, $range:ident, $visit:ident) => {{
+    ($flat_ray:path, $slabs:path, $areas:path, $all:ident, $ray:ident, $range:ident, $visit:ident) => {{
         let line = Sheared::new($ray);
         let bvh = &$all.bvh;
         let mut look = |pack: usize, mut max: f64| {
@@ -35,7 +35,7 @@ macro_rules! meet {
             }
             ControlFlow::Continue(max)
         };
-        super::walk!($slabs, bvh, $ray, $range, |pack| node::prefetch(&$all.packs, pack), look);
+        super::walk!($flat_ray, $slabs, bvh, $ray, $range, |pack| node::prefetch(&$all.packs, pack), look);
     }};
 }
 
@@ -72,13 +72,13 @@ impl Triangles {
         range: Range,
         mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>,
     ) {
-        meet!(node::slabs, pack::test_half_pack, self, ray, range, visit);
+        meet!(FlatRay::new, node::slabs, pack::test_half_pack, self, ray, range, visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn visit_hits_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
-        meet!(node::avx2::slabs, pack::avx2::test_half_pack, self, ray, range, visit);
+        meet!(flat_ray::avx2::flat_ray, node::avx2::slabs, pack::avx2::test_half_pack, self, ray, range, visit);
     }
 }
 

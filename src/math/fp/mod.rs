@@ -12,7 +12,7 @@ mod pow;
 use std::f64::consts::TAU;
 
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
-pub use pow::pow;
+pub use pow::{approximate_pow, pow, pow_f32};
 
 /// Sine of an angle in radians.
 #[inline]

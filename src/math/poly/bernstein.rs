@@ -64,21 +64,47 @@ fn sign_changes(b: &[f64]) -> usize {
     b.windows(2).filter(|w| is_negative(w[0]) != is_negative(w[1])).count()
 }
 
-/// Returns the value and slope of a Bernstein polynomial at t, by de Casteljau's algorithm.
+/// Returns the coefficients that de Casteljau's algorithm leaves of a Bernstein polynomial at t before its last two steps:
+/// those of a polynomial of degree 2 with the same value, and with slope and curvature divided by n/2 and n(n-1)/2, where n
+/// is the degree, at least 2.
 #[inline(always)]
-fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
+fn quadratic_at<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> [f64; 3] {
     let mut b = *b;
-    for last in (1..degree).rev() {
+    for last in (2..degree).rev() {
         for i in 0..=last {
             b[i] += (b[i + 1] - b[i]) * t;
         }
     }
-    let rise = b[1] - b[0];
-    (b[0] + rise * t, rise * degree as f64)
+    [b[0], b[1], b[2]]
 }
 
-/// Returns the only root in [0, 1] of a polynomial whose signs differ at both ends: Newton's step where it stays in the
-/// bracket and converges fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// Returns the value of a Bernstein polynomial, of degree 2 or more, at t.
+#[inline(always)]
+fn value<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> f64 {
+    let [b0, b1, b2] = quadratic_at(b, degree, t);
+    let (left, right) = (b0 + (b1 - b0) * t, b1 + (b2 - b1) * t);
+    left + (right - left) * t
+}
+
+/// Returns the value of a Bernstein polynomial, of degree 2 or more, at t, and the step from t to Halley's better
+/// approximation of a root: f/f' / (1 - f·f''/2f'²). Far from a root, where the divisor would be below 1/2 or above 3/2, the
+/// step is Newton's, f/f'.
+#[inline(always)]
+fn value_and_step<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
+    let n = degree as f64;
+    let [b0, b1, b2] = quadratic_at(b, degree, t);
+    let (left, right) = (b0 + (b1 - b0) * t, b1 + (b2 - b1) * t);
+    // f' = n·rise and f'' = n(n-1)·bend
+    let (rise, bend) = (right - left, (b2 - b1) - (b1 - b0));
+    let value = left + rise * t;
+    let (slope_squared, correction) = (n * rise * rise, 0.5 * (n - 1.0) * value * bend);
+    let divisor = if correction.abs() < 0.5 * slope_squared { slope_squared - correction } else { slope_squared };
+    (value, value * rise / divisor)
+}
+
+/// Returns the only root in [0, 1] of a polynomial whose signs differ at both ends: Halley's step where it stays in the
+/// bracket and converges fast enough, bisection otherwise (as Press et al., Numerical Recipes, "rtsafe", with a step of
+/// third order).
 #[inline(always)]
 fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     let rising = is_negative(b[0]);
@@ -86,20 +112,19 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     let mut t = (b[0] / (b[0] - b[degree])).clamp(0.01, 0.99);
     let mut last_step = 1.0;
     for _ in 0..100 {
-        let (f, slope) = value_and_slope(b, degree, t);
+        let (f, change) = value_and_step(b, degree, t);
         if is_negative(f) == rising {
             lo = t;
         } else {
             hi = t;
         }
-        let newton = t - f / slope;
-        let step = (newton - t).abs();
-        let shrinks = newton >= lo && newton <= hi && step <= 0.5 * last_step;
-        // Such a short step doubles the number of correct digits; a step that does not get shorter is rounding.
-        if step <= 1e-10 * t || !shrinks && step.max(last_step) <= 1e-8 * t {
-            return newton.clamp(lo, hi);
+        let (improved, step) = (t - change, change.abs());
+        let shrinks = improved >= lo && improved <= hi && step <= 0.5 * last_step;
+        // Such a short step triples the number of correct digits; a step that does not get shorter is rounding.
+        if step <= 1e-8 * t && (shrinks || last_step <= 1e-8 * t) {
+            return improved.clamp(lo, hi);
         }
-        let next = if shrinks { newton } else { 0.5 * (lo + hi) };
+        let next = if shrinks { improved } else { 0.5 * (lo + hi) };
         last_step = (next - t).abs();
         t = next;
         if hi - lo <= f64::EPSILON {
@@ -192,7 +217,7 @@ impl Search<'_> {
     /// window: the signs at the ends of the window show it before the root is computed.
     fn is_outside_window<const N: usize>(&self, b: &[f64; N], degree: usize, lo: f64, hi: f64) -> bool {
         let has_sign_of = |end: f64, at: f64| {
-            let (value, _) = value_and_slope(b, degree, (at - lo) / (hi - lo));
+            let value = value(b, degree, (at - lo) / (hi - lo));
             value.abs() > self.noise && is_negative(value) == is_negative(end)
         };
         let (start, end) = (self.window.0 - WINDOW_SLACK, self.window.1 + WINDOW_SLACK);

@@ -224,7 +224,8 @@ impl Grid {
         }
     }
 
-    /// Visits the hits in a square of a height field's pyramid; the line is over the square along `way`.
+    /// Visits the hits in a square of a height field's pyramid, whose heights the line may reach; the line is over the square
+    /// along `way`.
     fn visit_hits_in_square(
         &self,
         level: usize,
@@ -232,17 +233,14 @@ impl Grid {
         way: RayPiece,
         line: &mut Line,
     ) -> ControlFlow<()> {
-        let Level { across, ranges, .. } = &self.pyramid[level];
-        if way.is_clear_of(ranges[b * across + a]) {
-            return ControlFlow::Continue(());
-        }
         let [from, to] = self.first_and_end_cells(level, a, b);
         if level == 0 {
             return self.visit_hits_in_cells(from, to, line);
         }
         // The line crosses the middle of the square once along each axis, so it is over three of the four quarters at
         // most.
-        let half = self.pyramid[level - 1].size;
+        let quarters = &self.pyramid[level - 1];
+        let half = quarters.size;
         let x_middle =
             middle_crossing_or_infinity(line.o.x, line.d.x, from[0] + half, to[0], line.distance_at_x(from[0] + half));
         let z_middle =
@@ -250,15 +248,18 @@ impl Grid {
         let (flip_x, flip_z) = (usize::from(line.d.x < 0.0), usize::from(line.d.z < 0.0));
         let (first, second, by_x) =
             if x_middle <= z_middle { (x_middle, z_middle, true) } else { (z_middle, x_middle, false) };
-        let pieces = way.split_at(first, second, line);
-        let quarters = [[false; 2], [by_x, !by_x], [true; 2]];
-        for (piece, [x, z]) in pieces.into_iter().zip(quarters) {
-            let quarter = [2 * a + (usize::from(x) ^ flip_x), 2 * b + (usize::from(z) ^ flip_z)];
-            if let Some(piece) = piece {
-                self.visit_hits_in_square(level - 1, quarter, piece, line)?;
+        let [before, between, after] = way.split_at(first, second, line);
+        let mut visit_quarter = |piece: Option<RayPiece>, is_beyond_x: bool, is_beyond_z: bool| {
+            let Some(piece) = piece else { return ControlFlow::Continue(()) };
+            let quarter = [2 * a + (usize::from(is_beyond_x) ^ flip_x), 2 * b + (usize::from(is_beyond_z) ^ flip_z)];
+            match piece.is_clear_of(quarters.range_of_square(quarter)) {
+                true => ControlFlow::Continue(()),
+                false => self.visit_hits_in_square(level - 1, quarter, piece, line),
             }
-        }
-        ControlFlow::Continue(())
+        };
+        visit_quarter(before, false, false)?;
+        visit_quarter(between, by_x, !by_x)?;
+        visit_quarter(after, true, true)
     }
 
     /// Returns the first cell of a pyramid level's square, and the one beyond its last.
@@ -379,6 +380,12 @@ impl Grid {
 }
 
 impl Level {
+    /// Returns the minimum and maximum height in a square of this pyramid level, in steps.
+    #[inline]
+    fn range_of_square(&self, [a, b]: [usize; 2]) -> [u16; 2] {
+        self.ranges[b * self.across + a]
+    }
+
     /// Returns the next level of the height field's pyramid, with squares twice as large.
     fn coarser_level(&self) -> Self {
         let (across, deep) = (self.across.div_ceil(2), self.deep.div_ceil(2));
