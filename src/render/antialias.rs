@@ -3,7 +3,7 @@
 
 use super::blocks::{BLOCK, Blocks};
 use super::corners::Corners;
-use super::pixel_rows::{Pixel, PixelRows};
+use super::pixel_area::{Pixel, PixelArea};
 use super::sampler::Sampler;
 use super::{Options, Region, SampleLayout, Sampling, blur, lattice};
 use crate::camera::Lens;
@@ -86,7 +86,7 @@ impl Method {
 
     /// Computes the pixels of an area, row by row, from the first samples in and around the area. The rows are
     /// incomplete if the render is cancelled.
-    pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelRows, area: Region) -> Vec<Pixel> {
+    pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelArea, area: Region) -> Vec<Pixel> {
         if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
             return self.blocks().tile_pixels(sampler, first_samples, area).into_iter().map(without_nan).collect();
         }
@@ -100,7 +100,7 @@ impl Method {
         pixels
     }
 
-    fn final_pixel(&self, sampler: &mut Sampler, first_samples: &PixelRows, x: usize, y: usize) -> Pixel {
+    fn final_pixel(&self, sampler: &mut Sampler, first_samples: &PixelArea, x: usize, y: usize) -> Pixel {
         without_nan(match &self.kind {
             MethodKind::Single => self.first_sample(sampler, x, y),
             MethodKind::Blurred(lens) => blur::pixel(sampler, lens, self.pixel_key(x, y), x, y),
@@ -123,7 +123,7 @@ impl Method {
         Corners { difference: &self.difference, depth, jitter, width: self.width }
     }
 
-    fn differs_from_neighbours(&self, first_samples: &PixelRows, x: usize, y: usize) -> bool {
+    fn differs_from_neighbours(&self, first_samples: &PixelArea, x: usize, y: usize) -> bool {
         let middle = first_samples.at(x, y);
         let position = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
         let mut neighbours = NEIGHBOURS.iter().map(position).filter_map(|(x, y)| first_samples.get(x, y));

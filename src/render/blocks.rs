@@ -7,7 +7,7 @@
 
 use super::Region;
 use super::antialias::{Difference, rgb_and_transparency};
-use super::pixel_rows::{Pixel, PixelRows};
+use super::pixel_area::{Pixel, PixelArea};
 use super::sampler::Sampler;
 use crate::transport::Purpose;
 
@@ -41,10 +41,9 @@ impl Blocks<'_> {
     }
 
     /// Computes the pixels of a part of one block.
-    pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelRows, part: Region) -> Vec<Pixel> {
+    pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelArea, part: Region) -> Vec<Pixel> {
         let area = self.first_area(part);
-        let mut current_pixels = PixelRows::new(area);
-        current_pixels.add_black_rows(area.height);
+        let mut current_pixels = PixelArea::black(area);
         for y in area.y..area.y + area.height {
             let row: Vec<Pixel> = (area.x..area.x + area.width).map(|x| *first_samples.at(x, y)).collect();
             current_pixels.put(Region { y, height: 1, ..area }, &row);
@@ -66,7 +65,7 @@ impl Blocks<'_> {
     fn resample_if_different(
         &self,
         sampler: &mut Sampler,
-        current_pixels: &mut PixelRows,
+        current_pixels: &mut PixelArea,
         sampled: &mut [bool],
         [x, y]: [usize; 2],
     ) {
@@ -88,7 +87,7 @@ impl Blocks<'_> {
     fn resample_once(
         &self,
         sampler: &mut Sampler,
-        current_pixels: &mut PixelRows,
+        current_pixels: &mut PixelArea,
         sampled: &mut [bool],
         [x, y]: [usize; 2],
     ) {

@@ -1,6 +1,6 @@
 //! Focal blur: many rays for each pixel, through different points of the lens and of the pixel (manual, "Focal Blur").
 
-use super::pixel_rows::Pixel;
+use super::pixel_area::Pixel;
 use super::sampler::Sampler;
 use crate::camera::Lens;
 use crate::math::DVec2;

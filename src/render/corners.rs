@@ -2,7 +2,7 @@
 //! (manual, "Anti-Aliasing Options"). The depth counts the pixel itself (quirk: `antialias_depth`).
 
 use super::antialias::{Difference, rgb_and_transparency};
-use super::pixel_rows::{Pixel, PixelRows};
+use super::pixel_area::{Pixel, PixelArea};
 use super::sampler::Sampler;
 use crate::transport::Purpose;
 use rustc_hash::FxHashMap;
@@ -22,7 +22,7 @@ pub(super) struct Corners<'m> {
 struct Subdivision<'a, 'm, 't, 'w> {
     corners: &'a Corners<'m>,
     sampler: &'t mut Sampler<'w>,
-    corner_samples: &'a PixelRows,
+    corner_samples: &'a PixelArea,
     x: usize,
     y: usize,
     /// Samples within the pixel, by position in units of the smallest piece.
@@ -51,7 +51,7 @@ impl Corners<'_> {
     }
 
     /// Computes a pixel from the samples at its corners.
-    pub fn pixel(&self, sampler: &mut Sampler, corner_samples: &PixelRows, x: usize, y: usize) -> Pixel {
+    pub fn pixel(&self, sampler: &mut Sampler, corner_samples: &PixelArea, x: usize, y: usize) -> Pixel {
         let between = FxHashMap::default();
         let mut subdivision = Subdivision { corners: self, sampler, corner_samples, x, y, between };
         subdivision.piece_mean([0, 0], self.pieces_per_edge()).map(|c| c as f32)

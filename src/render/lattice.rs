@@ -6,7 +6,7 @@
 //! is known, is one of the points. Random bits transpose and mirror the lattice of each pixel.
 
 use super::antialias::{Difference, rgb_and_transparency};
-use super::pixel_rows::Pixel;
+use super::pixel_area::Pixel;
 use super::sampler::Sampler;
 use crate::transport::Purpose;
 

@@ -1,24 +1,29 @@
-//! The pixels of a picture: anti-aliasing, focal blur, scanline bands, worker threads, progress.
+//! The pixels of a picture: anti-aliasing, focal blur, tiles and their order, worker threads, progress.
 
 mod antialias;
-mod bands;
 mod blocks;
 mod blur;
 mod corners;
+mod frame_render;
 mod lattice;
 mod output;
 mod pick;
-mod pixel_rows;
+mod pixel_area;
 mod prepare;
 mod radiosity;
 mod sampler;
+mod schedule;
 mod shard;
+mod simulation;
+mod threads;
 mod workers;
 
 pub use output::OutputConversion;
 pub use pick::pick;
 pub use prepare::{photon_and_radiosity_digests, prepare_light};
 pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
+#[doc(hidden)]
+pub use simulation::simulated_busy_share;
 
 use crate::diagnostic::{self, Fault};
 use crate::image_io::{Frame, Rows};
@@ -244,7 +249,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let method = antialias::Method::new(world, camera.lens.as_ref(), options);
     write_outside_rows(rows, options, region.y)?;
     let conversion = OutputConversion::new(world, options);
-    let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
+    let mut take = |mut pixels: Vec<pixel_area::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = conversion.to_linear_rgba(pixel));
         if region.width == width {
             return rows.write_rows(&pixels);
@@ -256,7 +261,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
             rows.write_rows(&whole)
         })
     };
-    let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
+    let frame = frame_render::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
     let counts = frame.run(&mut take)?;
     write_outside_rows(rows, options, height - region.y - region.height)?;
     Ok(counts)
@@ -274,7 +279,7 @@ fn write_outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diag
 
 /// Returns the maximum memory for the render of a region, in bytes, besides the World and the stored rows.
 pub fn memory_bytes(region: Region) -> u128 {
-    bands::memory_bytes(region)
+    threads::memory_bytes(region)
 }
 
 /// The first hit through the centre of a pixel.

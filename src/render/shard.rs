@@ -4,9 +4,10 @@
 //! on, so that each shard has blocks from all of the picture and costs about the same. A block is rendered like a region
 //! of the picture, with the first samples around it, so that its pixels are those of the whole picture.
 
-use super::bands::{FrameRender, tiles};
-use super::pixel_rows::{Pixel, PixelRows};
+use super::frame_render::FrameRender;
+use super::pixel_area::{Pixel, PixelArea};
 use super::prepare::{self, FrameCamera};
+use super::schedule::TileGrid;
 use super::workers::Workers;
 use super::{
     Cancelled, FINAL_PASS, FIRST_PASS, Options, OutputConversion, RayCounts, Region, Stopped, Tile, Watch, antialias,
@@ -48,7 +49,7 @@ pub fn block_edge(options: &Options, shard_count: usize) -> usize {
 /// Returns the blocks of a shard, in the order in which they are rendered, for a region of a picture of `size` and
 /// blocks of `edge` pixels.
 pub fn shard_blocks(size: [usize; 2], region: Region, edge: usize, shard: Shard) -> Vec<Region> {
-    let mut blocks: Vec<Region> = tiles(&region, region.y..region.y + region.height, edge).collect();
+    let mut blocks: Vec<Region> = TileGrid::new(region, edge).tiles().collect();
     let side = size[0].max(size[1]).div_ceil(edge).next_power_of_two();
     blocks.sort_by_key(|block| hilbert_index(side, block.x / edge, block.y / edge));
     blocks.into_iter().skip(shard.index - 1).step_by(shard.count).collect()
@@ -135,22 +136,19 @@ impl FrameRender<'_> {
     ) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
         self.load_or_render(Tile { pass: FINAL_PASS, area }, n_done, total, || {
             let mut counts = RayCounts::default();
-            let mut render = |pass, area, first_samples: &PixelRows| -> Result<Vec<Pixel>, Cancelled> {
+            let mut render = |pass, area, first_samples: &PixelArea| -> Result<Vec<Pixel>, Cancelled> {
                 let (pixels, cast) = self.render_tile(&Tile { pass, area }, first_samples)?;
                 counts.add(&cast);
                 Ok(pixels)
             };
             let around = self.method.first_area(area);
-            let mut first_samples = PixelRows::new(around.unwrap_or(Region { height: 0, ..area }));
+            let mut first_samples = PixelArea::black(Region { height: 0, ..area });
             if let Some(around) = around {
-                let samples = render(FIRST_PASS, around, &first_samples)?;
-                first_samples.add_black_rows(around.height);
-                first_samples.put(around, &samples);
+                first_samples = PixelArea { area: around, pixels: render(FIRST_PASS, around, &first_samples)? };
             }
-            let mut pixels = PixelRows::new(area);
-            pixels.add_black_rows(area.height);
+            let mut pixels = PixelArea::black(area);
             let edge = self.method.antialias_block_edge().unwrap_or(EDGES[0]);
-            for part in tiles(&area, area.y..area.y + area.height, edge) {
+            for part in TileGrid::new(area, edge).tiles() {
                 pixels.put(part, &render(FINAL_PASS, part, &first_samples)?);
             }
             Ok((pixels.pixels, counts))

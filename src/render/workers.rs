@@ -28,6 +28,18 @@ impl<'a> Workers<'a> {
         self.token.is_cancelled() || self.watch.cancelled()
     }
 
+    /// Runs `work` on each thread of the pool at the same time, and returns when all have ended.
+    pub fn run_on_each_thread(&self, work: impl Fn() + Sync) {
+        let work = || {
+            let _activity = Activity::begin("while the picture was rendered");
+            self.token.scope(&work);
+        };
+        match &self.pool {
+            Some(pool) => drop(pool.broadcast(|_| work())),
+            None => work(),
+        }
+    }
+
     /// Returns the results of `work` for all jobs, in order, and the result of `beside`, which runs at the same time.
     pub fn map<J: Sync, T: Send, B: Send>(
         &self,
