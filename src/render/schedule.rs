@@ -86,7 +86,7 @@ pub(super) struct Place {
     pub column: usize,
 }
 
-/// What a thread is to do next.
+/// Next step of a thread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Task {
     /// Render this tile of the first pass.

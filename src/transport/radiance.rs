@@ -84,16 +84,13 @@ impl<'w> Tracer<'w> {
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
         }
-        // A pass that collects radiosity samples ignores the radiance of camera rays.
-        let is_ignored =
-            state.bounces == 0 && self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()
             && material.is_plain
             && self.has_plain_points
             && let Some(at) = PlainPoint::new(self.context.world, part, &state.ray, &hit)
         {
-            if !is_ignored {
+            if !self.ignores_surface_light(state) {
                 self.add_plain_light(state, &at, sum);
             }
             if self.context.radiosity.is_some() {
@@ -101,14 +98,23 @@ impl<'w> Tracer<'w> {
             }
             return self.reflect_at_plain_point(state, &hit, &at);
         }
-        let interface = self.interface(state, &hit);
-        if part.uncommon.is_none() && material.is_clear && self.try_pass_clear_surface(state, &hit, &interface) {
+        self.shade_general_surface(state, &hit, sum)
+    }
+
+    /// Adds the light of a surface to `sum`, and pushes the rays that continue. True if one ray continues that was not pushed,
+    /// and `state` is that ray. (Not inlined: the loop is faster with the code of plain surfaces alone.)
+    #[inline(never)]
+    fn shade_general_surface(&mut self, state: &mut RayState, hit: &Intersection<'w>, sum: &mut Radiance) -> bool {
+        let part = &self.context.world.parts[hit.part_number() as usize];
+        let material = &self.context.world.materials[part.outside.material as usize];
+        let interface = self.interface(state, hit);
+        if part.uncommon.is_none() && material.is_clear && self.try_pass_clear_surface(state, hit, &interface) {
             return true;
         }
         // Light that the surface itself sends
         let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };
-        let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, quality, &interface);
-        if !is_ignored {
+        let shading = ShadingPoint::new(self.context.world, &state.ray, hit, quality, &interface);
+        if !self.ignores_surface_light(state) {
             sum.rgb += state.throughput * self.emitted_and_direct_light(state, &shading);
         }
         if self.context.radiosity.is_some() {
@@ -149,6 +155,11 @@ impl<'w> Tracer<'w> {
         state.n_surfaces += 1;
         self.counts.transmitted += 1;
         true
+    }
+
+    /// True if the light of surfaces along a ray does not count: that of camera rays in a pass that collects radiosity samples.
+    fn ignores_surface_light(&self, state: &RayState) -> bool {
+        state.bounces == 0 && self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final())
     }
 
     /// Stores the distance of the first hit of a ray that gathers light, and divides the ray's throughput by the
