@@ -214,8 +214,7 @@ impl Difference {
     /// Returns the sum of the colour channels' differences after the gamma curve.
     fn distance(&self, a: &Pixel, b: &Pixel) -> f64 {
         let light = |x: f64| if self.is_srgb { Gamma::Srgb.decode(x) } else { x };
-        let power = |x: f64, y: f64| fp::approximate_pow(x, y).unwrap_or_else(|| fp::pow(x, y));
-        let curve = |x: f32| power(light(f64::from(x.max(0.0))), 1.0 / self.gamma);
+        let curve = |x: f32| fp::quick_pow(light(f64::from(x.max(0.0))), 1.0 / self.gamma);
         (0..3).map(|c| (curve(a[c]) - curve(b[c])).abs()).sum()
     }
 

@@ -39,7 +39,7 @@ pub struct Superellipsoid {
 fn power(x: f64, a: f64) -> f64 {
     let whole = a as u32;
     if f64::from(whole) != a || whole > MOST_FACTORS {
-        return fp::pow(x, a);
+        return fp::quick_pow(x, a);
     }
     let (mut product, mut square, mut left) = (1.0, x, whole);
     while left > 0 {
@@ -59,7 +59,7 @@ fn nth_root_of_one_to_two(x: f64, degree: f64) -> f64 {
         2.0 => x.sqrt(),
         4.0 => x.sqrt().sqrt(),
         8.0 => x.sqrt().sqrt().sqrt(),
-        _ => fp::pow(x, 1.0 / degree),
+        _ => fp::quick_pow(x, 1.0 / degree),
     }
 }
 

@@ -12,7 +12,7 @@ mod pow;
 use std::f64::consts::TAU;
 
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
-pub use pow::{approximate_pow, pow, pow_f32};
+pub use pow::{pow, pow_f32, quick_pow};
 
 /// Sine of an angle in radians.
 #[inline]

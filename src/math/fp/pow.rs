@@ -59,13 +59,23 @@ pub fn pow_f32(x: f64, y: f64) -> f32 {
     pow(x, y) as f32
 }
 
+/// x to the power of y with a relative error below 10⁻¹², in half the time of [`pow`]: for comparisons and for searches that
+/// end at a coarser tolerance.
+#[inline]
+pub fn quick_pow(x: f64, y: f64) -> f64 {
+    approximate_pow(x, y).unwrap_or_else(|| pow(x, y))
+}
+
 /// Maximum relative error of [`approximate_pow`], with a reserve of a factor of ten.
 const APPROXIMATE_ERROR: f64 = 1e-12;
 
 /// Approximation of x to the power of y, with a relative error below 10⁻¹²: the steps of [`pow`] without pairs of
-/// numbers. `None` where x is not a positive normal number, and for some powers that are very large or very small.
+/// numbers. `None` where x is neither 0 nor a positive normal number, and for some powers that are very large or very small.
 #[inline]
-pub fn approximate_pow(x: f64, y: f64) -> Option<f64> {
+fn approximate_pow(x: f64, y: f64) -> Option<f64> {
+    if x.to_bits() == 0 && y > 0.0 {
+        return Some(0.0);
+    }
     let is_normal = x.to_bits().wrapping_sub(1 << 52) < 0x7fe0 << 48;
     let (k, row, z) = reduce(x);
     let r = z * row.reciprocal - 1.0;
