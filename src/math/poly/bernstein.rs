@@ -87,8 +87,8 @@ fn value<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> f64 {
 }
 
 /// Returns the value of a Bernstein polynomial, of degree 2 or more, at t, and the step from t to Halley's better
-/// approximation of a root: f/f' / (1 - f·f''/2f'²). Far from a root, where the divisor would be below 1/2 or above 3/2, the
-/// step is Newton's, f/f'.
+/// approximation of a root: f/f' / (1 - f·f''/2f'²). Far from a root, where the divisor would be below 1/2 or above 3/2, and
+/// where f'² could underflow or overflow, the step is Newton's, f/f'.
 #[inline(always)]
 fn value_and_step<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
     let n = degree as f64;
@@ -98,8 +98,11 @@ fn value_and_step<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, 
     let (rise, bend) = (right - left, (b2 - b1) - (b1 - b0));
     let value = left + rise * t;
     let (slope_squared, correction) = (n * rise * rise, 0.5 * (n - 1.0) * value * bend);
-    let divisor = if correction.abs() < 0.5 * slope_squared { slope_squared - correction } else { slope_squared };
-    (value, value * rise / divisor)
+    if correction.abs() < 0.5 * slope_squared && (1e-280..1e280).contains(&slope_squared) {
+        (value, value * rise / (slope_squared - correction))
+    } else {
+        (value, value / (n * rise))
+    }
 }
 
 /// Returns the only root in [0, 1] of a polynomial whose signs differ at both ends: Halley's step where it stays in the

@@ -50,6 +50,16 @@ fn special_ones() {
 }
 
 #[test]
+fn tiny_and_huge_coefficients() {
+    let roots = [0.25, 0.5, 0.8];
+    for exponent in [-980, -600, -400, 0, 400, 600, 980] {
+        let found = everywhere(&from_roots(power_of_two(exponent), &roots));
+        let is_close = |(x, root): (&f64, f64)| (x - root).abs() < 1e-14;
+        assert!(found.len() == 3 && found.iter().zip(roots).all(is_close), "{exponent}: {found:?}");
+    }
+}
+
+#[test]
 fn window_and_end() {
     let c = from_roots(1.0, &[-3.0, -0.5, 0.25, 2.0, 9.0]);
     let close = |found: &Roots, want: &[f64]| {
