@@ -44,10 +44,7 @@ impl Blocks<'_> {
     pub fn tile_pixels(&self, sampler: &mut Sampler, first_samples: &PixelArea, part: Region) -> Vec<Pixel> {
         let area = self.first_area(part);
         let mut current_pixels = PixelArea::black(area);
-        for y in area.y..area.y + area.height {
-            let row: Vec<Pixel> = (area.x..area.x + area.width).map(|x| *first_samples.at(x, y)).collect();
-            current_pixels.put(Region { y, height: 1, ..area }, &row);
-        }
+        current_pixels.put(first_samples.area, &first_samples.pixels);
         let mut sampled = vec![false; area.width * area.height];
         for y in area.y..area.y + area.height {
             for x in area.x..area.x + area.width {

@@ -19,7 +19,7 @@ impl PixelArea {
     }
 
     /// Stores those pixels of a tile that lie within the area.
-    pub fn put_overlap(&mut self, tile: Region, pixels: &[Pixel]) {
+    pub fn put(&mut self, tile: Region, pixels: &[Pixel]) {
         let overlap = |start: usize, length: usize, other: usize, other_length: usize| {
             start.max(other)..(start + length).min(other + other_length)
         };
@@ -27,14 +27,6 @@ impl PixelArea {
         for y in overlap(self.area.y, self.area.height, tile.y, tile.height) {
             let (to, from) = (self.index(columns.start, y), (y - tile.y) * tile.width + columns.start - tile.x);
             self.pixels[to..to + columns.len()].copy_from_slice(&pixels[from..from + columns.len()]);
-        }
-    }
-
-    /// Stores the pixels of a tile that lies within the area.
-    pub fn put(&mut self, tile: Region, pixels: &[Pixel]) {
-        for (row, line) in pixels.chunks(tile.width).enumerate() {
-            let start = self.index(tile.x, tile.y + row);
-            self.pixels[start..start + tile.width].copy_from_slice(line);
         }
     }
 

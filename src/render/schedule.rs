@@ -1,4 +1,4 @@
-//! Order in which threads render the tiles of a picture, without a barrier between bands or passes.
+//! Order in which threads render the tiles of a picture, without a moment at which all threads wait for the slowest.
 //!
 //! Tiles are started row by row from the top. A tile of the final pass is started as soon as the first samples around its
 //! row of tiles are complete, and before any tile of the first pass, so that few rows are kept in memory. The first pass
@@ -198,7 +198,7 @@ impl<'a, T> Schedule<'a, T> {
         }
     }
 
-    /// Returns what a thread is to do next, and counts it as started.
+    /// Returns the next step of a thread; a tile or row in it counts as started.
     pub fn next_task(&mut self) -> Task {
         if !self.is_passing_on && self.n_passed_on < self.last.n_complete {
             self.is_passing_on = true;

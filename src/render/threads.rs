@@ -169,7 +169,7 @@ impl<'a> SharedRender<'a> {
         frame.load_or_render(tile, &self.n_pixels_done, frame.pixel_count_of_passes(), || {
             let around = frame.method.first_area(tile.area).filter(|_| tile.pass == FINAL_PASS);
             let mut first_samples = PixelArea::black(around.unwrap_or(Region { height: 0, ..tile.area }));
-            first_tiles.iter().for_each(|(area, pixels)| first_samples.put_overlap(*area, pixels));
+            first_tiles.iter().for_each(|(area, pixels)| first_samples.put(*area, pixels));
             frame.render_tile(&tile, &first_samples)
         })
     }

@@ -334,8 +334,8 @@ fn dumps_are_indented() {
     assert_eq!(serde_json::from_str::<Value>(&out).unwrap()["parts"][0]["source"], "ball.scene:2:1");
 }
 
-/// The estimated memory is the used memory, to 15 % and the few megabytes of the program itself; `--stats` reports the
-/// peak.
+/// The estimated memory is the used memory, to 15 % and the few megabytes of the program itself and of rows that wait for
+/// earlier ones; `--stats` reports the peak.
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_estimate_matches_usage() {

@@ -7,6 +7,7 @@ use glam::Vec3;
 
 /// The ray of a BVH traversal in single precision, once for the planes of entry and once for those of exit, so that it
 /// enters earlier and leaves later: origins are shifted away, and distances of planes in front are scaled.
+#[derive(Debug, PartialEq)]
 pub(super) struct FlatRay {
     pub enter: [f32; 3],
     pub leave: [f32; 3],
@@ -104,6 +105,30 @@ pub(super) mod avx2 {
             leave_inverse: scaled(1.0 + SLACK, f32::MIN_POSITIVE),
             side: [negative & 1, negative >> 1 & 1, negative >> 2 & 1],
             min: pad_down(range.min),
+        }
+    }
+}
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn avx2_gives_the_same_numbers() {
+        if !is_x86_feature_detected!("avx2") {
+            return;
+        }
+        let numbers = [0.0, -0.0, 1.0, -0.3, 1e-300, -1e-40, 1e40, -1e300, 16_777_217.0];
+        for k in 0..numbers.len().pow(3) {
+            let pick = |shift: usize| numbers[(k / numbers.len().pow(shift as u32) + shift * k) % numbers.len()];
+            let dir = DVec3::new(pick(0), pick(1), pick(2));
+            let ray = Ray::new(DVec3::new(dir.y, dir.z, dir.x) * 0.7, dir);
+            for range in [Range::ALL, Range::FORWARD, Range { min: 0.5, max: 3.0 }] {
+                // SAFETY: the processor has the feature.
+                #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+                let wide = unsafe { avx2::flat_ray(&ray, range, &Wide::EMPTY) };
+                assert_eq!(wide, FlatRay::new(&ray, range, &Wide::EMPTY), "{ray:?} {range:?}");
+            }
         }
     }
 }

@@ -81,7 +81,7 @@ fn approximate_pow(x: f64, y: f64) -> Option<f64> {
     let r = z * row.reciprocal - 1.0;
     let series = (0.5 - r * (1.0 / 3.0)) + r * r * ((0.25 - r * 0.2) + r * r * (1.0 / 6.0 - r * (1.0 / 7.0)));
     let exponent = y * (k * LN_2.value() + row.log.value() + (r - r * r * series));
-    // Logarithms have absolute errors of a few 2⁻⁵³.
+    // The absolute error of the logarithm, a few 2⁻⁵³, is multiplied by y.
     if !(is_normal && y.abs() < 100.0 && exponent.abs() < 100.0) {
         return None;
     }
