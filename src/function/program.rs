@@ -1,9 +1,12 @@
 //! Bytecode: the operations of a [`Graph`] in an order in which they can be evaluated, each into a register of its own.
 
-use super::graph::{self, Graph, Id, Operation};
+use super::graph::{self, Callee, Graph, Id, Operation};
+use super::internal::PointFunction;
 use super::numeric::{self, Kernel};
+use crate::math::DVec3;
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// Index of a register of a compiled function: first the parameters, then the constants, then results.
 type Register = u16;
@@ -26,6 +29,9 @@ enum Step {
     /// Instruction that calls a function: index of the callee, component, position and number of the arguments'
     /// registers in [`Program::arguments`], register of the result.
     Call(u32, u8, u32, u16, Register),
+    /// Instruction that calls a prepared function: its index in [`Program::prepared`], registers of x, y and z, register
+    /// of the result.
+    CallPrepared(u16, [Register; 3], Register),
     /// Instruction that calls a function and stores all its components in five registers.
     CallAll(u32, u32, u16, Register),
 }
@@ -37,6 +43,8 @@ pub struct Program {
     steps: Vec<Step>,
     constants: Vec<f64>,
     arguments: Vec<Register>,
+    /// Internal functions whose parameters after x, y and z are constants.
+    prepared: Vec<Arc<dyn PointFunction>>,
     parameters: usize,
     registers: usize,
     result: Register,
@@ -63,6 +71,7 @@ struct Writer<'g> {
     steps: Vec<Step>,
     constants: Vec<f64>,
     arguments: Vec<Register>,
+    prepared: Vec<Arc<dyn PointFunction>>,
     /// Register of each operation's result that is already evaluated at the current position of the program.
     places: Vec<Option<Register>>,
     next: usize,
@@ -83,15 +92,17 @@ impl Program {
             }
         }
         let next = parameter_count + constants.len();
-        let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
+        let mut writer =
+            Writer { graph: &graph, steps: vec![], constants, arguments: vec![], prepared: vec![], places, next };
         let result = writer.emit_operation(graph.result);
-        let Writer { steps, constants, arguments, next, .. } = writer;
+        let Writer { steps, constants, arguments, prepared, next, .. } = writer;
         let mut start = [0.0; FEW];
         start.iter_mut().skip(parameter_count).zip(&constants).for_each(|(to, constant)| *to = *constant);
         (next <= usize::from(Register::MAX)).then_some(Self {
             steps,
             constants,
             arguments,
+            prepared,
             parameters: parameter_count,
             registers: next,
             result,
@@ -152,6 +163,10 @@ impl Program {
                     let callee = &self.graph.callees[callee as usize];
                     r[to as usize] =
                         self.with_arguments(list, count, r, |list| callee.call_component(component as usize, list));
+                }
+                Step::CallPrepared(function, [x, y, z], to) => {
+                    let p = DVec3::new(r[x as usize], r[y as usize], r[z as usize]);
+                    r[to as usize] = self.prepared[function as usize].value_at(p);
                 }
                 Step::CallAll(callee, list, count, to) => {
                     let callee = &self.graph.callees[callee as usize];
@@ -223,6 +238,13 @@ impl Writer<'_> {
                 to
             }
             Operation::Choice(condition, yes, no) => self.emit_conditional(*condition, *yes, *no),
+            Operation::Call(callee, _, list) if let Some(function) = self.prepare_call(*callee, list) => {
+                let point = [list[0], list[1], list[2]].map(|id| self.emit_operation(id));
+                let to = self.new_register();
+                self.steps.push(Step::CallPrepared(self.prepared.len() as u16, point, to));
+                self.prepared.push(function);
+                to
+            }
             Operation::Call(callee, component, list) => {
                 let registers: Vec<Register> = list.iter().map(|id| self.emit_operation(*id)).collect();
                 let start = self.arguments.len() as u32;
@@ -245,6 +267,13 @@ impl Writer<'_> {
         };
         self.places[id as usize] = Some(place);
         place
+    }
+
+    /// Prepares an internal function whose parameters after x, y and z are constants, if it can be prepared.
+    fn prepare_call(&self, callee: u32, list: &[Id]) -> Option<Arc<dyn PointFunction>> {
+        let Callee::Internal(internal) = &self.graph.callees[callee as usize] else { return None };
+        let parameters: Option<Vec<f64>> = list.get(3..)?.iter().map(|id| self.graph.constant_value(*id)).collect();
+        internal.prepare?(&parameters?)
     }
 
     /// Finds, among this operation and the next few, those that use components of the same call; returns their indices
@@ -309,6 +338,7 @@ pub(super) fn evaluate_recursively(graph: &Graph, parameters: &[f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::function::Interval;
+    use crate::function::internal::find_internal;
     use proptest::prelude::*;
 
     /// Description of one operation: its type, and its operands.
@@ -376,6 +406,21 @@ mod tests {
             };
             let no_number = (0..graph.nodes.len() as Id).any(|id| at(id).is_nan());
             prop_assert!(no_number || bounds.contains(value), "{value} is not in {bounds:?}");
+        }
+    }
+
+    #[test]
+    fn prepared_calls_match_the_graph() {
+        for (number, h) in [(29, 0.3), (59, 0.07), (58, 0.4)] {
+            let mut g = Graph::default();
+            let point = [2, 0, 1].map(|i| g.add_operation(Operation::Parameter(i)));
+            let constants = [h, 2.2, 4.5, 0.6, 0.9, 1.0].map(|x| g.add_constant(x));
+            let callee = Callee::Internal(find_internal(number).unwrap());
+            g.result = g.add_call_component(callee, 0, point.into_iter().chain(constants).collect());
+            let wanted = evaluate_recursively(&g, &[0.7, -1.3, 5.2]);
+            let program = Program::new(g, 3).unwrap();
+            assert_eq!(program.prepared.len(), usize::from(number != 58), "{number}");
+            assert_eq!(program.run(&[0.7, -1.3, 5.2]), wanted, "{number}");
         }
     }
 

@@ -13,7 +13,9 @@ mod table;
 pub use table::TABLE;
 
 use super::Interval;
+use crate::math::DVec3;
 use std::fmt;
+use std::sync::Arc;
 
 /// A function that a scene calls by number, as `internal(N)`.
 pub struct Internal {
@@ -35,6 +37,15 @@ pub struct Internal {
     /// Returns an upper bound of the change of the internal function's gradient per unit of length, where the function
     /// is strictly between 0 and 1.
     pub bend: Option<fn(&[f64]) -> f64>,
+    /// Prepares the internal function for constant parameters after x, y and z, so that what depends on these alone is
+    /// computed once; `None` for a wrong number of parameters. Functions that would save nothing have no such function.
+    pub prepare: Option<fn(&[f64]) -> Option<Arc<dyn PointFunction>>>,
+}
+
+/// An internal function that is prepared for its parameters after x, y and z.
+pub trait PointFunction: fmt::Debug + Send + Sync {
+    /// Computes the function at a point.
+    fn value_at(&self, p: DVec3) -> f64;
 }
 
 impl fmt::Debug for Internal {

@@ -4,8 +4,10 @@
 //! durer always computes the right ones.
 
 use super::super::Interval;
+use super::PointFunction;
 use crate::math::noise::{self, NoiseGenerator, noise};
 use crate::math::{DVec3, fp};
+use std::sync::Arc;
 
 /// Maximum number of octaves of noise: more would only add rounding errors, and take too long.
 const MOST_OCTAVES: f64 = 64.0;
@@ -20,62 +22,129 @@ pub fn f_noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator))
 }
 
-/// Octaves of noise from 0 to 1: that of the point p, and those of its multiples by the powers of `lacunarity`.
-struct NoiseOctaves {
+/// Folds octaves of noise from 0 to 1: that of the point p, and those of its multiples by the powers of `lacunarity`.
+/// There is at least one octave, and a fraction counts as one; `step` also receives their indices.
+#[inline]
+fn fold_octaves<T>(
     p: DVec3,
     lacunarity: f64,
-    /// Number of octaves; there is at least one, and a fraction counts as one.
     count: f64,
-    /// Number of the noise generator in scenes.
-    generator: f64,
+    generator: NoiseGenerator,
+    start: T,
+    step: impl Fn(T, f64, f64) -> T,
+) -> T {
+    let step = |(state, i): (T, f64), noise| {
+        let next = i + 1.0;
+        noise::continue_if(next < count, (step(state, i, noise), next))
+    };
+    noise::fold_octaves(p, lacunarity, generator, (start, 0.0), step).0
 }
 
-impl NoiseOctaves {
-    /// Folds all octaves; `step` also receives their indices.
-    fn fold<T>(&self, start: T, step: impl Fn(T, f64, f64) -> T) -> T {
-        let generator = NoiseGenerator::from_generator_number(self.generator);
-        let count = self.count;
-        let step = |(state, i): (T, f64), noise| {
-            let next = i + 1.0;
-            noise::continue_if(next < count, (step(state, i, noise), next))
-        };
-        noise::fold_octaves(self.p, self.lacunarity, generator, (start, 0.0), step).0
+/// Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the altitude that scales the next
+/// octave.
+#[derive(Debug)]
+struct HeteroTerrain {
+    lacunarity: f64,
+    /// Number of whole octaves.
+    whole: f64,
+    /// Fraction of an octave that is added after the whole ones, as in Musgrave's function.
+    rest: f64,
+    /// Factor from the weight of an octave to that of the next.
+    factor: f64,
+    offset: f64,
+    power: i32,
+    generator: NoiseGenerator,
+}
+
+impl HeteroTerrain {
+    fn new([h, lacunarity, octaves, offset, t, generator]: [f64; 6]) -> Self {
+        let octaves = octaves.min(MOST_OCTAVES);
+        Self {
+            lacunarity,
+            whole: octaves.ceil().max(1.0),
+            rest: octaves - octaves.floor(),
+            factor: fp::pow(lacunarity, -h),
+            offset,
+            power: t.clamp(0.0, 64.0) as i32,
+            generator: NoiseGenerator::from_generator_number(generator),
+        }
     }
 }
 
-/// Internal function `f_hetero_mf`: Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the
-/// altitude that scales the next octave.
-pub fn f_hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
-    let octaves = octaves.min(MOST_OCTAVES);
-    let (whole, rest) = (octaves.ceil().max(1.0), octaves - octaves.floor());
-    let (power, factor) = (t.clamp(0.0, 64.0) as i32, fp::pow(lacunarity, -h));
-    // As in Musgrave's function, a fraction of an octave is added after a whole one.
-    let count = if rest > 0.0 { whole + 1.0 } else { whole };
-    let step = |(value, weight): (f64, f64), i: f64, noise: f64| {
-        let increment = (2.0 * noise - 1.0 + offset) * weight;
-        let next = if i == 0.0 {
-            increment
-        } else if i < whole {
-            increment * value.powi(power)
-        } else {
-            rest * increment * value
+impl PointFunction for HeteroTerrain {
+    fn value_at(&self, p: DVec3) -> f64 {
+        let count = if self.rest > 0.0 { self.whole + 1.0 } else { self.whole };
+        let step = |(value, weight): (f64, f64), i: f64, noise: f64| {
+            let increment = (2.0 * noise - 1.0 + self.offset) * weight;
+            let next = if i == 0.0 {
+                increment
+            } else if i < self.whole {
+                increment * value.powi(self.power)
+            } else {
+                self.rest * increment * value
+            };
+            (value + next, weight * self.factor)
         };
-        (value + next, weight * factor)
-    };
-    NoiseOctaves { p: DVec3::new(x, y, z), lacunarity, count, generator }.fold((0.0, 1.0), step).0
+        fold_octaves(p, self.lacunarity, count, self.generator, (0.0, 1.0), step).0
+    }
+}
+
+/// Musgrave's `RidgedMultifractal`.
+#[derive(Debug)]
+struct RidgedMultifractal {
+    lacunarity: f64,
+    octaves: f64,
+    /// Factor from the weight of an octave to that of the next.
+    factor: f64,
+    offset: f64,
+    gain: f64,
+    generator: NoiseGenerator,
+}
+
+impl RidgedMultifractal {
+    fn new([h, lacunarity, octaves, offset, gain, generator]: [f64; 6]) -> Self {
+        Self {
+            lacunarity,
+            octaves: octaves.min(MOST_OCTAVES),
+            factor: fp::pow(lacunarity, -h),
+            offset,
+            gain,
+            generator: NoiseGenerator::from_generator_number(generator),
+        }
+    }
+}
+
+impl PointFunction for RidgedMultifractal {
+    fn value_at(&self, p: DVec3) -> f64 {
+        let &Self { lacunarity, octaves, factor, offset, gain, generator } = self;
+        // `share` is the part of an octave that remains where the one before it is low.
+        let step = |(sum, weight, share): (f64, f64, f64), _, noise: f64| {
+            let height = offset - (2.0 * noise - 1.0).abs();
+            let signal = height * height * share;
+            (sum + signal * weight, weight * factor, (signal * gain).clamp(0.0, 1.0))
+        };
+        fold_octaves(p, lacunarity, octaves, generator, (0.0, 1.0, 1.0), step).0
+    }
+}
+
+/// Internal function `f_hetero_mf`: Musgrave's `Hetero_Terrain`.
+pub fn f_hetero_mf([x, y, z, parameters @ ..]: [f64; 9]) -> f64 {
+    HeteroTerrain::new(parameters).value_at(DVec3::new(x, y, z))
+}
+
+/// Prepares [`f_hetero_mf`] for these parameters after x, y and z.
+pub fn prepared_hetero_mf(parameters: &[f64]) -> Option<Arc<dyn PointFunction>> {
+    Some(Arc::new(HeteroTerrain::new(parameters.try_into().ok()?)))
 }
 
 /// Internal function `f_ridged_mf`: Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
-pub fn f_ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
-    let factor = fp::pow(lacunarity, -h);
-    // `share` is the part of an octave that remains where the one before it is low.
-    let step = |(sum, weight, share): (f64, f64, f64), _, noise: f64| {
-        let height = offset - (2.0 * noise - 1.0).abs();
-        let signal = height * height * share;
-        (sum + signal * weight, weight * factor, (signal * gain).clamp(0.0, 1.0))
-    };
-    let count = octaves.min(MOST_OCTAVES);
-    NoiseOctaves { p: DVec3::new(x, y, z), lacunarity, count, generator }.fold((0.0, 1.0, 1.0), step).0
+pub fn f_ridged_mf([x, y, z, parameters @ ..]: [f64; 9]) -> f64 {
+    RidgedMultifractal::new(parameters).value_at(DVec3::new(x, y, z))
+}
+
+/// Prepares [`f_ridged_mf`] for these parameters after x, y and z.
+pub fn prepared_ridged_mf(parameters: &[f64]) -> Option<Arc<dyn PointFunction>> {
+    Some(Arc::new(RidgedMultifractal::new(parameters.try_into().ok()?)))
 }
 
 /// Internal function `f_ridge`: The mean of octaves of |noise - ridge|, minus the offset; both differences are divided
@@ -89,8 +158,9 @@ pub fn f_ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64
         let share = if i < whole { weight } else { rest * weight };
         (sum + share * height, weights + share, weight * omega)
     };
-    let all = NoiseOctaves { p: DVec3::new(x, y, z), lacunarity: lambda, count: whole + rest, generator };
-    let (sum, weights, _) = all.fold((0.0, 0.0, 1.0), step);
+    let generator = NoiseGenerator::from_generator_number(generator);
+    let start = (0.0, 0.0, 1.0);
+    let (sum, weights, _) = fold_octaves(DVec3::new(x, y, z), lambda, whole + rest, generator, start, step);
     (sum / weights - offset) / offset.max(1.0 - offset)
 }
 

@@ -1,9 +1,11 @@
 //! The functions, by number.
 
 use super::{
-    Internal, SCENE_NOISE, algebraic, call_with_array, clamped_field_bounds, helix, misc, noise, planar, quadric,
+    Internal, PointFunction, SCENE_NOISE, algebraic, call_with_array, clamped_field_bounds, helix, misc, noise, planar,
+    quadric,
 };
 use crate::function::Interval;
+use std::sync::Arc;
 
 type Bounds = Option<fn(&[Interval]) -> Interval>;
 
@@ -88,7 +90,7 @@ pub static TABLE: &[Internal] = &[
     internal_row(29, "f_hetero_mf", "A multifractal whose roughness depends on the altitude",
         |a| call_with_array(a, noise::f_hetero_mf), Some(noise::hetero_bounds), &["H: how fast high frequencies fade",
         "lacunarity: from one frequency to the next", "octaves", "offset",
-        "heterogeneity: power of the altitude, a whole number", GENERATOR]),
+        "heterogeneity: power of the altitude, a whole number", GENERATOR]).with_preparation(noise::prepared_hetero_mf),
     internal_row(30, "f_hunt_surface", "Hunt's surface", |a| call_with_array(a, algebraic::f_hunt_surface), FIELD_BOUNDS, FIELD),
     internal_row(31, "f_hyperbolic_torus", "A torus that opens along z",
         |a| call_with_array(a, algebraic::f_hyperbolic_torus), FIELD_BOUNDS, TORUS),
@@ -149,7 +151,7 @@ pub static TABLE: &[Internal] = &[
     internal_row(59, "f_ridged_mf", "A multifractal with ridges",
         |a| call_with_array(a, noise::f_ridged_mf), Some(noise::ridged_bounds), &["H: how fast high frequencies fade",
         "lacunarity: from one frequency to the next", "octaves", "offset",
-        "gain: how much of an octave the next one keeps", GENERATOR]),
+        "gain: how much of an octave the next one keeps", GENERATOR]).with_preparation(noise::prepared_ridged_mf),
     internal_row(60, "f_rounded_box", "A box with round edges",
         |a| call_with_array(a, quadric::f_rounded_box), Some(quadric::rounded_box_bounds), &["radius of the edges",
         "half size along x", "half size along y", "half size along z"]).with_max_gradient(|_| 1.0),
@@ -200,7 +202,7 @@ const fn internal_row(
     bounds: Bounds,
     parameters: &'static [&'static str],
 ) -> Internal {
-    Internal { number, name, summary, parameters, compute, bounds, steepest: None, bend: None }
+    Internal { number, name, summary, parameters, compute, bounds, steepest: None, bend: None, prepare: None }
 }
 
 impl Internal {
@@ -210,5 +212,9 @@ impl Internal {
 
     const fn with_max_gradient_change(self, bend: fn(&[f64]) -> f64) -> Self {
         Self { bend: Some(bend), ..self }
+    }
+
+    const fn with_preparation(self, prepare: fn(&[f64]) -> Option<Arc<dyn PointFunction>>) -> Self {
+        Self { prepare: Some(prepare), ..self }
     }
 }

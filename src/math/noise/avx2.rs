@@ -28,12 +28,52 @@ fn lerp(a: __m256d, b: __m256d, s: __m256d) -> __m256d {
     multiply_add(a, s, _mm256_sub_pd(b, a))
 }
 
-/// Returns the table row of each corner of the lattice cell that contains a point, and the point's position in the cell:
-/// [`super::lattice::lattice_cell_and_position`] of all coordinates at once.
+/// A point or another vector: x, y and z in the first three lanes, and 0.
+pub type Vector = __m256d;
+
+/// Returns a vector with these components.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn corner_rows_and_position(p: DVec3) -> ([RowStart; 8], __m256d) {
-    let p = _mm256_setr_pd(p.x, p.y, p.z, 0.0);
+pub fn vector(x: f64, y: f64, z: f64) -> Vector {
+    _mm256_setr_pd(x, y, z, 0.0)
+}
+
+/// Returns the product of a number and a vector.
+#[target_feature(enable = "avx2")]
+#[inline]
+pub fn times(factor: f64, v: Vector) -> Vector {
+    _mm256_mul_pd(_mm256_set1_pd(factor), v)
+}
+
+/// Returns the sum of two vectors.
+#[target_feature(enable = "avx2")]
+#[inline]
+pub fn plus(a: Vector, b: Vector) -> Vector {
+    _mm256_add_pd(a, b)
+}
+
+/// Returns the components of a vector.
+#[target_feature(enable = "avx2")]
+#[inline]
+pub fn components(v: Vector) -> DVec3 {
+    let (xy, z) = (_mm256_castpd256_pd128(v), _mm256_extractf128_pd::<1>(v));
+    DVec3::new(_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)), _mm_cvtsd_f64(z))
+}
+
+/// A point in the lattice of the noise.
+#[derive(Clone, Copy)]
+pub struct LatticePoint {
+    /// Table rows of the corners of the lattice cell that contains the point.
+    rows: [RowStart; 8],
+    /// Position of the point in the cell, 0 to 1 along each axis.
+    t: Vector,
+}
+
+/// Finds the lattice cell that contains a point: [`super::lattice::lattice_cell_and_position`] of all coordinates at
+/// once.
+#[target_feature(enable = "avx2")]
+#[inline]
+pub fn locate<Caller>(p: Vector) -> LatticePoint {
     let round = _mm256_set1_pd(ROUND);
     let rounded = _mm256_add_pd(p, round);
     let nearest = _mm256_sub_pd(rounded, round);
@@ -43,7 +83,7 @@ fn corner_rows_and_position(p: DVec3) -> ([RowStart; 8], __m256d) {
     let cells = _mm256_add_epi64(_mm256_castpd_si256(rounded), _mm256_castpd_si256(above));
     let [x, y, z] =
         [_mm256_extract_epi64::<0>(cells), _mm256_extract_epi64::<1>(cells), _mm256_extract_epi64::<2>(cells)];
-    (corner_rows([x as usize, y as usize, z as usize]), _mm256_sub_pd(p, floor))
+    LatticePoint { rows: corner_rows([x as usize, y as usize, z as usize]), t: _mm256_sub_pd(p, floor) }
 }
 
 /// Computes the s-curve of [`super::lattice::s_curve`] in each lane.
@@ -74,8 +114,7 @@ fn corner_contributions<const FAR: i32>(rows: &[RowStart; 8], near: __m256d, far
 /// Computes [`super::value::scalar_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn scalar_noise<Caller>(p: DVec3) -> f64 {
-    let (rows, t) = corner_rows_and_position(p);
+pub fn scalar_noise<Caller>(LatticePoint { rows, t }: LatticePoint) -> f64 {
     let near = _mm256_blend_pd::<1>(_mm256_permute4x64_pd::<0x93>(t), _mm256_set1_pd(1.0));
     let far = _mm256_sub_pd(near, _mm256_setr_pd(0.0, 1.0, 1.0, 1.0));
     let [sx, sy, sz] = broadcast_components(s_curve(t));
@@ -94,8 +133,7 @@ pub fn scalar_noise<Caller>(p: DVec3) -> f64 {
 /// Computes [`super::value::vector_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn vector_noise<Caller>(p: DVec3) -> DVec3 {
-    let (rows, t) = corner_rows_and_position(p);
+pub fn vector_noise<Caller>(LatticePoint { rows, t }: LatticePoint) -> Vector {
     // Twice the coordinates, so that values need no halving: the sum is halved instead, which rounds nothing.
     let twice = |v: __m256d| broadcast_components(_mm256_add_pd(v, v));
     let (near, far) = (twice(t), twice(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
@@ -107,7 +145,5 @@ pub fn vector_noise<Caller>(p: DVec3) -> DVec3 {
     let [sx, sy, sz] = broadcast_components(s_curve(t));
     let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
     let twice_sum = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);
-    let sum = _mm256_mul_pd(twice_sum, _mm256_set1_pd(0.5));
-    let (xy, z) = (_mm256_castpd256_pd128(sum), _mm256_extractf128_pd::<1>(sum));
-    DVec3::new(_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)), _mm_cvtsd_f64(z))
+    _mm256_mul_pd(twice_sum, _mm256_set1_pd(0.5))
 }

@@ -20,12 +20,48 @@ pub(super) fn corner_rows([ix, iy, iz]: [usize; 3]) -> [RowStart; 8] {
     [c.xor(z0), d.xor(z0), e.xor(z0), f.xor(z0), c.xor(z1), d.xor(z1), e.xor(z1), f.xor(z1)].map(HashIndex::row)
 }
 
-/// Returns the table row of each corner of the lattice cell that contains a point, and the point's position in the cell.
+/// A point or another vector.
+pub type Vector = DVec3;
+
+/// Returns a vector with these components.
 #[inline(always)]
-fn corner_rows_and_position(p: DVec3) -> ([RowStart; 8], [f64; 3]) {
+pub fn vector(x: f64, y: f64, z: f64) -> Vector {
+    DVec3::new(x, y, z)
+}
+
+/// Returns the product of a number and a vector.
+#[inline(always)]
+pub fn times(factor: f64, v: Vector) -> Vector {
+    factor * v
+}
+
+/// Returns the sum of two vectors.
+#[inline(always)]
+pub fn plus(a: Vector, b: Vector) -> Vector {
+    a + b
+}
+
+/// Returns the components of a vector.
+#[inline(always)]
+pub fn components(v: Vector) -> DVec3 {
+    v
+}
+
+/// A point in the lattice of the noise.
+#[derive(Clone, Copy)]
+pub struct LatticePoint {
+    /// Table rows of the corners of the lattice cell that contains the point.
+    rows: [RowStart; 8],
+    /// Position of the point in the cell, 0 to 1 along each axis.
+    t: [f64; 3],
+}
+
+/// Finds the lattice cell that contains a point.
+#[inline(always)]
+pub fn locate<Caller>(p: Vector) -> LatticePoint {
     let ((ix, tx), (iy, ty), (iz, tz)) =
         (lattice_cell_and_position(p.x), lattice_cell_and_position(p.y), lattice_cell_and_position(p.z));
-    (corner_rows([ix, iy, iz]), [tx, ty, tz])
+    LatticePoint { rows: corner_rows([ix, iy, iz]), t: [tx, ty, tz] }
 }
 
 /// Four numbers that the processor computes side by side.
@@ -52,8 +88,7 @@ fn blend_lanes(corner: impl Fn(usize) -> Lanes, t: [f64; 3]) -> Lanes {
 /// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
 /// -1.2 to 1.2. The value and the three slopes of the lattice points are interpolated side by side and added last.
 #[inline(always)]
-pub fn scalar_noise<Caller>(p: DVec3) -> f64 {
-    let (rows, t) = corner_rows_and_position(p);
+pub fn scalar_noise<Caller>(LatticePoint { rows, t }: LatticePoint) -> f64 {
     let corner = |i: usize| {
         let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), *rows[i].row_after::<0, _>(&CORNERS));
         [v, gx * x, gy * y, gz * z]
@@ -92,8 +127,7 @@ const fn lane_table() -> [Row; 259] {
 
 /// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
-pub fn vector_noise<Caller>(p: DVec3) -> DVec3 {
-    let (rows, t) = corner_rows_and_position(p);
+pub fn vector_noise<Caller>(LatticePoint { rows, t }: LatticePoint) -> Vector {
     let corner = |i: usize| {
         let [x, y, z] = offset_from_corner(i, t);
         let [v, gx, gy, gz] = vector_rows(rows[i]).map(|row| row.0);

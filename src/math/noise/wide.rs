@@ -2,17 +2,21 @@
 //! mark, so that it has a copy of the noise of its own, which the compiler inlines. Functions for a single point take
 //! its coordinates as three numbers, in registers. A `DVec3` would be passed through memory: the caller writes
 //! coordinates one by one, the noise reads two at once, and the processor's store forwarding fails.
+//!
+//! Sums of octaves find the lattice cell of an octave before they compute the noise of the octave before: most of the
+//! noise waits for the tables, and would else fill the processor's queues, so that no other octave could begin.
 
 use super::super::DVec3;
 use super::{Turbulence, value};
 use std::ops::ControlFlow;
 
-/// Defines a function that calls its namesake in `avx2` if the processor has the feature, else the one in `value`.
+/// Defines a function whose body is compiled twice: for AVX2, with the module `avx2` under the name that comes first,
+/// and for processors without that, with the module `value`.
 macro_rules! twins {
     (
         $(#[$doc:meta])*
         $name:ident $(<$state:ident, $visitor:ident: ($($bound:tt)+)>)?
-        ($f:ident; $($argument:ident: $type:ty),*) $(-> $out:ty)? $body:block
+        ($lanes:ident; $($argument:ident: $type:ty),*) $(-> $out:ty)? $body:block
     ) => {
         $(#[$doc])*
         pub fn $name$(<$state, $visitor: $($bound)+>)?($($argument: $type),*) $(-> $out)? {
@@ -20,7 +24,7 @@ macro_rules! twins {
             {
                 #[target_feature(enable = "avx2")]
                 fn avx2$(<$state, $visitor: $($bound)+>)?($($argument: $type),*) $(-> $out)? {
-                    use super::avx2::$f;
+                    use super::avx2 as $lanes;
                     $body
                 }
                 if is_x86_feature_detected!("avx2") {
@@ -29,7 +33,7 @@ macro_rules! twins {
                     return unsafe { avx2($($argument),*) };
                 }
             }
-            use value::$f;
+            use value as $lanes;
             $body
         }
     };
@@ -43,8 +47,8 @@ enum Octave {}
 
 twins! {
     /// Computes the noise [`value::scalar_noise`] at a point, with AVX2 if the processor has it.
-    scalar_at(scalar_noise; x: f64, y: f64, z: f64) -> f64 {
-        scalar_noise::<Single>(DVec3::new(x, y, z))
+    scalar_at(lanes; x: f64, y: f64, z: f64) -> f64 {
+        lanes::scalar_noise::<Single>(lanes::locate::<Single>(lanes::vector(x, y, z)))
     }
 }
 
@@ -52,40 +56,54 @@ twins! {
     /// Folds octaves of the noise [`value::scalar_noise`] until `step` breaks: the noise at the point, and at its
     /// multiples by the powers of `lacunarity`.
     fold_octaves<T, Step: (Fn(T, f64) -> ControlFlow<T, T>)>(
-        scalar_noise; x: f64, y: f64, z: f64, lacunarity: f64, start: T, step: Step
+        lanes; x: f64, y: f64, z: f64, lacunarity: f64, start: T, step: Step
     ) -> T {
-        let (mut frequency, mut state) = (1.0, start);
+        let p = lanes::vector(x, y, z);
+        let (mut frequency, mut here, mut state) = (1.0, lanes::locate::<Step>(p), start);
         loop {
-            match step(state, scalar_noise::<Step>(DVec3::new(x, y, z) * frequency)) {
-                ControlFlow::Continue(next) => state = next,
+            frequency *= lacunarity;
+            let next = lanes::locate::<Step>(lanes::times(frequency, p));
+            match step(state, lanes::scalar_noise::<Step>(here)) {
+                ControlFlow::Continue(continued) => state = continued,
                 ControlFlow::Break(end) => return end,
             }
-            frequency *= lacunarity;
+            here = next;
         }
     }
 }
 
 twins! {
     /// Computes the vector noise [`value::vector_noise`], with AVX2 if the processor has it.
-    vector_at(vector_noise; x: f64, y: f64, z: f64) -> DVec3 {
-        vector_noise::<Single>(DVec3::new(x, y, z))
+    vector_at(lanes; x: f64, y: f64, z: f64) -> DVec3 {
+        lanes::components(lanes::vector_noise::<Single>(lanes::locate::<Single>(lanes::vector(x, y, z))))
     }
 }
 
 twins! {
     /// Returns the turbulence at a point: the weighted sum of octaves of [`value::vector_noise`].
-    turbulence(vector_noise; x: f64, y: f64, z: f64, series: Turbulence) -> DVec3 {
-        let mut sum = DVec3::ZERO;
+    turbulence(lanes; x: f64, y: f64, z: f64, series: Turbulence) -> DVec3 {
+        let p = lanes::vector(x, y, z);
+        let (mut here, mut sum) = (lanes::locate::<Octave>(p), lanes::vector(0.0, 0.0, 0.0));
         for (frequency, weight) in series.octaves() {
-            sum += weight * vector_noise::<Octave>(DVec3::new(x, y, z) * frequency);
+            let next = lanes::locate::<Octave>(lanes::times(frequency * series.lambda, p));
+            sum = lanes::plus(sum, lanes::times(weight, lanes::vector_noise::<Octave>(here)));
+            here = next;
         }
-        sum
+        lanes::components(sum)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn portable_scalar(p: DVec3) -> f64 {
+        value::scalar_noise::<Single>(value::locate::<Single>(p))
+    }
+
+    fn portable_vector(p: DVec3) -> DVec3 {
+        value::vector_noise::<Single>(value::locate::<Single>(p))
+    }
 
     #[test]
     fn avx2_matches_portable_bits() {
@@ -94,12 +112,12 @@ mod tests {
         let strange = far.map(|x| DVec3::new(x, 0.5, -x));
         let points: Vec<DVec3> = (0..1001).map(point).chain(strange).collect();
         for p in &points {
-            let (scalar_noise, vector) = (value::scalar_noise::<Single>(*p), value::vector_noise::<Single>(*p));
+            let (scalar_noise, vector) = (portable_scalar(*p), portable_vector(*p));
             // (The payload of a NaN does not matter.)
             let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
             assert!(same(scalar_at(p.x, p.y, p.z), scalar_noise), "{p}");
             fold_octaves(p.x, p.y, p.z, 2.2, (3, 1.0), |(left, frequency), octave| {
-                assert!(same(octave, value::scalar_noise::<Single>(*p * frequency)), "{p}");
+                assert!(same(octave, portable_scalar(*p * frequency)), "{p}");
                 let next = (left - 1, frequency * 2.2);
                 if left == 0 { ControlFlow::Break(next) } else { ControlFlow::Continue(next) }
             });
