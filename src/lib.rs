@@ -287,12 +287,13 @@ pub fn build_with(
     keep: Keep,
     debug: &mut dyn FnMut(&str),
 ) -> Built {
-    let mut built = options.cancel.scope(|| {
+    let evaluate = || {
         let start = options.host.monotonic_time();
         let outcome = interpreter::interpret_with(parsed, sources, file, options, debug);
         let parse_time = options.host.monotonic_time().saturating_sub(start);
         lower_outcome(outcome, parse_time, sources, file, options, keep)
-    });
+    };
+    let mut built = options.cancel.scope(|| math::fork::with_threads(options.threads, evaluate));
     if !built.limit_reached && options.cancel.is_cancelled() {
         // Whatever was computed after the cancellation is worthless.
         built.world = None;

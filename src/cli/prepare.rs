@@ -113,10 +113,10 @@ fn prepare(
     token.scope(|| {
         let file = session::open_or_report(console, sources, input)?;
         let options = session::reading_options(&args.scene, input, timing);
-        let options = interpreter::Options { cancel: token.clone(), ..options };
+        let threads = args.threads.map_or(0, usize::from);
+        let options = interpreter::Options { cancel: token.clone(), threads, ..options };
         let mut built = session::build(console, &ParsedFiles::default(), sources, file, &options, Keep::World);
         let mut world = session::report_and_take_world(console, sources, &mut built)?;
-        let threads = args.threads.map_or(0, usize::from);
         let drawing = session::drawing_options(&args.scene, &args.look, threads, timing);
         set_saved_light_path(&mut world, output);
         if !console.quiet {

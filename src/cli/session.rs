@@ -123,6 +123,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_memory: args.memory_limit_if_set().map(|b| b.0).or_else(memory::default_memory_limit),
         host: Arc::new(MeteredHost::default()),
         cancel: CancelToken::current(),
+        threads: 1,
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
         record_origins: false,
         record_branches: false,

@@ -73,6 +73,9 @@ pub struct Options {
     pub host: Arc<dyn Host>,
     /// Token with which another thread can end the run.
     pub cancel: CancelToken,
+    /// Number of threads that read large meshes and build their hierarchies; 0 for one per processor. The result does
+    /// not depend on it.
+    pub threads: usize,
     /// Granularity of the syntax tree that the parser produces: whole blocks and expressions, or single tokens.
     pub granularity: Granularity,
     /// True to record the call frames (macro calls and includes) of each object that is added to the scene.
@@ -98,6 +101,7 @@ impl Default for Options {
             max_memory: None,
             host: Arc::new(LocalHost::default()),
             cancel: CancelToken::default(),
+            threads: 1,
             granularity: Granularity::Whole,
             record_origins: false,
             record_branches: false,

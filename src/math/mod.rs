@@ -5,6 +5,7 @@ pub mod bvh;
 pub mod cancel;
 mod complex;
 mod crossing;
+pub mod fork;
 pub mod fp;
 pub mod noise;
 mod poly;

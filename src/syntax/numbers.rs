@@ -1,6 +1,7 @@
 //! Scans literal numbers with own code for speed, since a mesh consists mostly of numbers.
 
 use super::ast::{NumberList, Widths};
+use crate::math::fork;
 use crate::source::Span;
 
 /// Scans an unsigned number that starts at the offset `at`. Returns its value and end; `None` without a number.
@@ -106,6 +107,10 @@ fn skip_blanks(bytes: &[u8], mut at: usize) -> usize {
 
 /// Minimum length of a list of numbers that is moved instead of copied.
 const LONG: usize = 1 << 12;
+/// Number of numbers of a list after which several threads scan the rest of it.
+const ENOUGH_FOR_THREADS: usize = 1 << 16;
+/// Number of bytes of a piece of a list that one thread scans.
+const PIECE: usize = 1 << 20;
 
 /// Scans the bytes of a text for literal vectors and lists of literals, which become one token each, and collects their
 /// values as [`NumberList`]s.
@@ -122,7 +127,7 @@ impl ListScanner {
     pub(super) fn scan_count_and_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<(usize, usize)> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
-        let (mut i, mut end) = (at, None);
+        let (mut i, mut end, mut divided_from) = (at, None, ENOUGH_FOR_THREADS);
         loop {
             let (start, first) = (self.data.len(), end.is_none());
             let Some(after) = self.scan_item_returning_end(bytes, i, sign_allowed || !first) else { break };
@@ -138,8 +143,62 @@ impl ListScanner {
                 break;
             }
             i = skip_blanks(bytes, next + 1);
+            if self.data.len() >= divided_from
+                && fork::threads() > 1
+                && let Some(scanned) = self.scan_vectors_by_threads(bytes, i)
+            {
+                (i, end) = (scanned.next, Some(scanned.end));
+                divided_from = self.data.len() + if scanned.is_whole { 0 } else { ENOUGH_FOR_THREADS };
+            }
         }
         end.map(|end| (self.widths.count, end))
+    }
+
+    /// Scans vectors from the offset `at` on, each with a comma behind it, by several threads; `None` without such a
+    /// vector. (A piece for each thread begins at a `<`. What that belongs to is not known before the piece in front of
+    /// it is scanned: if that one ends elsewhere, the piece is dropped.)
+    fn scan_vectors_by_threads(&mut self, bytes: &[u8], at: usize) -> Option<ScannedVectors> {
+        if bytes.get(at) != Some(&b'<') {
+            return None;
+        }
+        let threads = fork::threads();
+        let start_of_piece = |k: usize| {
+            let from = bytes.len().min(at.saturating_add(k * PIECE));
+            let near = &bytes[from..bytes.len().min(from + PIECE)];
+            from + near.iter().position(|b| *b == b'<').unwrap_or(near.len())
+        };
+        let starts: Vec<usize> = (0..=threads).map(start_of_piece).collect();
+        let pieces = fork::map(threads, 1, |k| {
+            let mut piece = Self::default();
+            let scanned = piece.scan_vectors_before(bytes, starts[k], starts[k + 1]);
+            (piece, scanned)
+        });
+        let mut all: Option<ScannedVectors> = None;
+        for (piece, scanned) in pieces {
+            let Some(scanned) = scanned.filter(|_| all.as_ref().is_none_or(|before| before.is_whole)) else { break };
+            self.data.extend_from_slice(&piece.data);
+            self.widths.append(piece.widths);
+            all = Some(scanned);
+        }
+        all
+    }
+
+    /// Scans vectors that start before the offset `limit`, each with a comma behind it, from the offset `at` on; `None`
+    /// without such a vector.
+    fn scan_vectors_before(&mut self, bytes: &[u8], at: usize, limit: usize) -> Option<ScannedVectors> {
+        let (mut next, mut end) = (at, None);
+        while next < limit && bytes.get(next) == Some(&b'<') {
+            let start = self.data.len();
+            let Some(after) = self.scan_angle_vector_end(bytes, next) else { break };
+            let comma = skip_blanks(bytes, after);
+            if bytes.get(comma) != Some(&b',') {
+                self.data.truncate(start);
+                break;
+            }
+            self.widths.push((self.data.len() - start) as u16);
+            (next, end) = (skip_blanks(bytes, comma + 1), Some(after));
+        }
+        end.map(|end| ScannedVectors { end, next, is_whole: next == limit })
     }
 
     /// Returns the number of components of the first scanned item.
@@ -210,6 +269,16 @@ impl ListScanner {
     }
 }
 
+/// Place in a text to which vectors are scanned.
+struct ScannedVectors {
+    /// End of the last vector.
+    end: usize,
+    /// Offset of what follows the comma behind it.
+    next: usize,
+    /// True if that is where the scan should end.
+    is_whole: bool,
+}
+
 /// True if an operator, component or index at the offset `at` continues the literal before it. True for a comment too,
 /// so that the grammar decides.
 fn has_operator_or_index_at(bytes: &[u8], at: usize) -> bool {
@@ -236,6 +305,20 @@ impl WidthsBuilder {
             mixed.push(width);
         }
         self.count += 1;
+    }
+
+    /// Appends the widths of items that follow.
+    fn append(&mut self, other: Self) {
+        let Some(width) = other.first else { return };
+        let is_uniform = self.mixed.is_none() && other.mixed.is_none() && self.first.is_none_or(|first| first == width);
+        match other.mixed {
+            _ if is_uniform => {
+                self.first = Some(width);
+                self.count += other.count;
+            }
+            Some(mixed) => mixed.into_iter().for_each(|width| self.push(width)),
+            None => (0..other.count).for_each(|_| self.push(width)),
+        }
     }
 
     fn into_widths(self) -> Widths {
@@ -286,6 +369,16 @@ pub struct ItemSpans {
 }
 
 impl ItemSpans {
+    /// Returns the span of the last item of the number list with the span `list`; `list_text` is the list's own text.
+    pub fn last(list_text: &str, list: Span) -> Span {
+        let bytes = list_text.as_bytes();
+        let start = match bytes.last() {
+            Some(b'>') => list_text.rfind('<').unwrap_or(0),
+            _ => skip_blanks(bytes, list_text.rfind(',').map_or(0, |comma| comma + 1)),
+        };
+        Span { lo: list.lo + start as u32, ..list }
+    }
+
     /// Returns the span of item `item` of the number list with the span `list`; `list_text` is the list's own text.
     pub fn find(&mut self, list_text: &str, list: Span, item: usize) -> Option<Span> {
         let bytes = list_text.as_bytes();
@@ -324,11 +417,58 @@ mod tests {
     }
 
     #[test]
+    fn spans_of_items() {
+        for text in ["<1, -2> ,\n<4 5>", "1, 2,\t-3.5", "<1,2>, 7", "7, <1, 2>", "5"] {
+            let (list, end) = scan(text).unwrap();
+            assert_eq!(end, text.len(), "{text}");
+            let span = Span::new(100, 100 + end);
+            let all: Vec<Span> = NumberList::item_spans(text, span).collect();
+            assert_eq!(all.len(), list.len(), "{text}");
+            assert_eq!(all.last(), Some(&ItemSpans::last(text, span)), "{text}");
+        }
+    }
+
+    #[test]
     fn continued_items_end_a_list() {
         assert_eq!(scan("<1,2,3>, 2*x").unwrap().1, 7);
         assert!(scan("<1,2,3>*x").is_none());
         assert!(scan("<1, a>").is_none());
         assert!(scan("<1 -2>").is_none());
+    }
+
+    /// A text of so many vectors that several threads scan it, and then `rest`.
+    fn long_list(count: usize, width_of: impl Fn(usize) -> usize, rest: &str) -> String {
+        let vector = |i: usize| {
+            let numbers: Vec<String> = (0..width_of(i)).map(|k| format!("{}.{k}", i * 7)).collect();
+            format!("<{}>,\n", numbers.join(", "))
+        };
+        (0..count).map(vector).chain([rest.to_owned()]).collect()
+    }
+
+    #[test]
+    fn threads_scan_long_lists_as_one_thread_does() {
+        let uniform = |_| 3;
+        let late = |i| if i == 150_000 { 2 } else { 3 };
+        let mixed = |i| 2 + i % 3;
+        for (width_of, rest) in [
+            (&uniform as &dyn Fn(usize) -> usize, "<1, 2, 3> }"),
+            (&uniform, "<1, 2, 3>*2, <4, 5, 6>"),
+            (&uniform, "<1, 2, x>, <4, 5, 6>, <7, 8, 9>"),
+            (&uniform, "/* <1, 2, 3>, */ <4, 5, 6>"),
+            (&uniform, "5, <4, 5, 6>"),
+            (&uniform, ""),
+            (&late, "<1, 2, 3>"),
+            (&mixed, "<1, 2, 3>"),
+        ] {
+            let text = long_list(200_000, width_of, rest);
+            let (one, end) = scan(&text).unwrap();
+            for threads in [2, 3, 7] {
+                let (list, same_end) = fork::with_threads(threads, || scan(&text)).unwrap();
+                assert_eq!(same_end, end, "{rest}");
+                assert!(list.data == one.data && (0..one.len()).all(|i| list.width(i) == one.width(i)), "{rest}");
+                assert_eq!(list.len(), one.len(), "{rest}");
+            }
+        }
     }
 
     proptest! {

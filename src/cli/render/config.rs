@@ -101,6 +101,7 @@ impl Config {
             ..session::drawing_options(&args.scene, &args.look, threads, timing)
         };
         let mut reading = session::reading_options(&args.scene, &input, timing);
+        reading.threads = threads;
         if args.dump.is_none() && cancel.is_none() {
             session::allow_writing_below_current_folder(&mut reading, &args.scene, &input);
         }

@@ -114,7 +114,8 @@ fn try_read(
     }
     out.clock = [timing.clock, range.first, range.last];
     let options = session::reading_options(&args.scene, &input, timing);
-    let options = interpreter::Options { cancel: cancel.clone(), ..options };
+    let threads = args.threads.map_or(0, usize::from);
+    let options = interpreter::Options { cancel: cancel.clone(), threads, ..options };
     let log = &mut out.log;
     let mut print = |text: &str| {
         print_message(text);

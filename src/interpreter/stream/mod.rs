@@ -315,8 +315,12 @@ impl<'a> TokenStream<'a> {
         }
         let Some(frame) = self.frames.last() else { return Span::NONE };
         match frame.next() {
-            Some(Element { span, kind: ElementKind::Numbers(_), .. }) => {
+            Some(Element { span, kind: ElementKind::Numbers(list), .. }) => {
                 let text = self.inputs.sources.snippet(*span);
+                // (A mesh asks for the last item of each of its lists.)
+                if frame.item.0 + 1 == list.len() {
+                    return ItemSpans::last(text, *span);
+                }
                 let found = self.literal_spans.borrow_mut().find(text, *span, frame.item.0);
                 found.unwrap_or(*span)
             }

@@ -5,7 +5,7 @@
 
 use super::node::{Child, WIDTH, Wide};
 use super::{Bvh, round_down, round_up};
-use crate::math::{Aabb, cancel};
+use crate::math::{Aabb, cancel, fork};
 use glam::Vec3A;
 use smallvec::SmallVec;
 use std::array::from_fn;
@@ -22,6 +22,10 @@ const PACK: f32 = 1.0;
 const LARGEST: usize = 8;
 /// Number of boxes of a BVH node below which a build does not poll for cancellation.
 const PRIMS_BETWEEN_POLLS: usize = 1 << 14;
+/// Number of boxes of a BVH from which two threads build its halves.
+const PRIMS_FOR_TWO_THREADS: usize = 1 << 14;
+/// Minimum number of boxes that a thread of its own computes.
+const PRIMS_FOR_A_THREAD: usize = 1 << 13;
 /// Maximum number of items in a leaf of the BVH.
 const LEAF: u32 = 4;
 
@@ -29,35 +33,45 @@ impl Bvh {
     /// Builds a BVH over boxes that [`super::fits_single_precision`] accepts; also returns the index of the box at each
     /// position of the hierarchy's order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        let (bvh, order, _) = Build::build_hierarchy(boxes, |items| items.len() == 1, ITEM);
+        let prims = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
+        let (bvh, order, _) = Build::build_hierarchy(prims, &|items| items.len() == 1, ITEM);
         (bvh, order)
     }
 
-    /// Builds a BVH whose items are packs of boxes: a group of boxes that `fits_in_one_pack` accepts becomes one item;
-    /// `fits_in_one_pack` accepts each single box. Also returns the range of each pack's boxes in the order.
+    /// Builds a BVH over `count` boxes whose items are packs of boxes: a group of boxes that `fits_in_one_pack` accepts
+    /// becomes one item; `fits_in_one_pack` accepts each single box. Also returns the range of each pack's boxes in the
+    /// order.
     pub fn build_packs(
-        boxes: impl ExactSizeIterator<Item = Aabb>,
-        fits_in_one_pack: impl Fn(&[u32]) -> bool,
+        count: usize,
+        box_at: impl Fn(usize) -> Aabb + Sync,
+        fits_in_one_pack: impl Fn(&[u32]) -> bool + Sync,
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let is_pack = |items: &[Prim]| {
             let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
             items.len() <= LARGEST && fits_in_one_pack(&numbers)
         };
-        Build::build_hierarchy(boxes, is_pack, PACK)
+        let prims = fork::map(count, PRIMS_FOR_A_THREAD, |i| Prim::new(&box_at(i), i as u32));
+        Build::build_hierarchy(prims, &is_pack, PACK)
     }
 }
 
 /// State of the construction of a BVH.
-struct Build<F> {
+struct Build {
     prims: Vec<Prim>,
-    /// Nodes of the binary tree from which the BVH is made, children before their parents.
-    binary_nodes: Vec<BinaryNode>,
-    /// True if these boxes become one item of the BVH.
-    is_item: F,
-    item_cost: f32,
+    binary_tree: BinaryTree,
     bvh: Bvh,
     /// Range of the boxes of each item of the BVH.
     items: Vec<Range<u32>>,
+}
+
+/// Nodes of the binary tree from which a BVH is made, or of one of its subtrees; children before their parents.
+struct BinaryTree(Vec<BinaryNode>);
+
+/// Parameters of the construction of a BVH's binary tree.
+struct Splitting<'a, F> {
+    /// True if these boxes become one item of the BVH.
+    is_item: &'a F,
+    item_cost: f32,
 }
 
 /// A node of the BVH's binary tree: an item, or two halves.
@@ -83,26 +97,26 @@ struct Half {
     cost: [f32; WIDTH - 1],
 }
 
-impl<F: Fn(&[Prim]) -> bool> Build<F> {
-    fn build_hierarchy(
-        boxes: impl ExactSizeIterator<Item = Aabb>,
-        is_item: F,
+impl Build {
+    fn build_hierarchy<F: Fn(&[Prim]) -> bool + Sync>(
+        prims: Vec<Prim>,
+        is_item: &F,
         item_cost: f32,
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
-        let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
         // A binary tree of n leaves has 2n - 1 nodes: a vector that grows would leave gaps in memory.
-        let binary_nodes = Vec::with_capacity(2 * prims.len());
-        let mut build = Build { prims, binary_nodes, is_item, item_cost, bvh: Bvh::default(), items: vec![] };
+        let binary_tree = BinaryTree(Vec::with_capacity(2 * prims.len()));
+        let mut build = Build { prims, binary_tree, bvh: Bvh::default(), items: vec![] };
         if !build.prims.is_empty() {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
-            let root = build.build_subtree(0..build.prims.len(), &around, COST_SPLIT_LEVELS);
-            build.bvh.nodes.reserve_exact(build.count_wide_nodes(root.number));
+            let splitting = Splitting { is_item, item_cost };
+            let root = splitting.build_subtree(&mut build.prims, 0, &around, COST_SPLIT_LEVELS, &mut build.binary_tree);
+            build.bvh.nodes.reserve_exact(build.binary_tree.count_wide_nodes(root.number));
             build.bvh.nodes.push(Wide::EMPTY);
             build.items.reserve_exact(root.items as usize);
             build.fill_node(0, root.number);
         }
-        build.binary_nodes = vec![];
+        build.binary_tree = BinaryTree(vec![]);
         let mut order = Vec::with_capacity(build.prims.len());
         for item in &mut build.items {
             let start = order.len() as u32;
@@ -111,30 +125,66 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         }
         (build.bvh, order, build.items)
     }
+}
 
-    /// Builds the BVH's binary tree over a range of boxes. The first `cost_split_levels` levels are split at the
-    /// cheapest plane, deeper ones in halves by number.
-    fn build_subtree(&mut self, boxes: Range<usize>, around: &Around, cost_split_levels: usize) -> Half {
-        let prims = &mut self.prims[boxes.clone()];
+impl<F: Fn(&[Prim]) -> bool + Sync> Splitting<'_, F> {
+    /// Builds the BVH's binary tree over boxes, the first of which is box `start` of the whole tree, and appends it to
+    /// `tree`. The first `cost_split_levels` levels are split at the cheapest plane, deeper ones in halves by number.
+    fn build_subtree(
+        &self,
+        prims: &mut [Prim],
+        start: u32,
+        around: &Around,
+        cost_split_levels: usize,
+        tree: &mut BinaryTree,
+    ) -> Half {
         if (self.is_item)(prims) {
-            let Around { lo, hi, .. } = *around;
-            let parts = [boxes.start as u32, boxes.end as u32];
-            let cost = [half_surface_area(lo, hi) * self.item_cost; WIDTH - 1];
-            self.binary_nodes.push(BinaryNode { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
-            return Half { number: self.binary_nodes.len() as u32 - 1, lo, hi, items: 1, cost };
+            return tree.add_item(start..start + prims.len() as u32, around, self.item_cost);
         }
         // A cancelled build ends quickly with a poor tree.
         let is_cancelled = prims.len() > PRIMS_BETWEEN_POLLS && cancel::is_cancelled();
         let (count, [left, right]) = split_boxes(prims, around, cost_split_levels == 0 || is_cancelled);
-        let mid = boxes.start + count;
-        let cost_split_levels = cost_split_levels.saturating_sub(1);
-        let a = self.build_subtree(boxes.start..mid, &left, cost_split_levels);
-        let b = self.build_subtree(mid..boxes.end, &right, cost_split_levels);
-        self.join_halves(&a, &b)
+        let (left_prims, right_prims) = prims.split_at_mut(count);
+        let (middle, cost_split_levels) = (start + count as u32, cost_split_levels.saturating_sub(1));
+        let (a, b);
+        if left_prims.len() + right_prims.len() < PRIMS_FOR_TWO_THREADS || fork::threads() < 2 {
+            a = self.build_subtree(left_prims, start, &left, cost_split_levels, tree);
+            b = self.build_subtree(right_prims, middle, &right, cost_split_levels, tree);
+        } else {
+            let mut right_tree = BinaryTree(Vec::with_capacity(right_prims.len()));
+            let right_half;
+            (a, right_half) = fork::join(
+                || self.build_subtree(left_prims, start, &left, cost_split_levels, tree),
+                || self.build_subtree(right_prims, middle, &right, cost_split_levels, &mut right_tree),
+            );
+            b = tree.append(right_tree, right_half);
+        }
+        tree.join_halves(&a, &b, self.item_cost)
+    }
+}
+
+impl BinaryTree {
+    /// Adds an item of the BVH: the boxes in this range.
+    fn add_item(&mut self, boxes: Range<u32>, around: &Around, item_cost: f32) -> Half {
+        let Around { lo, hi, .. } = *around;
+        let cost = [half_surface_area(lo, hi) * item_cost; WIDTH - 1];
+        let parts = [boxes.start, boxes.end];
+        self.0.push(BinaryNode { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
+        Half { number: self.0.len() as u32 - 1, lo, hi, items: 1, cost }
+    }
+
+    /// Appends a tree that another thread has built, whose root is `half`; returns the root with its new number.
+    fn append(&mut self, tree: BinaryTree, half: Half) -> Half {
+        let before = self.0.len() as u32;
+        self.0.extend(tree.0.into_iter().map(|node| match node.items {
+            1 => node,
+            _ => BinaryNode { parts: node.parts.map(|number| number + before), ..node },
+        }));
+        Half { number: half.number + before, ..half }
     }
 
     /// Makes the parent of two halves of the BVH, at the least cost.
-    fn join_halves(&mut self, a: &Half, b: &Half) -> Half {
+    fn join_halves(&mut self, a: &Half, b: &Half, item_cost: f32) -> Half {
         let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
         let (area, items) = (half_surface_area(lo, hi), a.items + b.items);
         // Least cost with exactly this number of children.
@@ -149,7 +199,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             }
         }
         let node = area + cost[WIDTH];
-        let leaf = if items <= LEAF { area * items as f32 * self.item_cost } else { f32::INFINITY };
+        let leaf = if items <= LEAF { area * items as f32 * item_cost } else { f32::INFINITY };
         cost[1] = node.min(leaf);
         for children in 2..WIDTH {
             if cost[children - 1] <= cost[children] {
@@ -158,13 +208,13 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         }
         let cost = from_fn(|i| cost[i + 1]);
         let is_leaf = items <= LEAF && leaf <= node;
-        self.binary_nodes.push(BinaryNode { parts: [a.number, b.number], items, first, is_leaf });
-        Half { number: self.binary_nodes.len() as u32 - 1, lo, hi, items, cost }
+        self.0.push(BinaryNode { parts: [a.number, b.number], items, first, is_leaf });
+        Half { number: self.0.len() as u32 - 1, lo, hi, items, cost }
     }
 
     /// Returns the number of wide nodes of a subtree. (A list of nodes that grows would need three times their memory for a moment.)
     fn count_wide_nodes(&self, binary_node: u32) -> usize {
-        let is_node = |&child: &u32| !self.binary_nodes[child as usize].is_leaf;
+        let is_node = |&child: &u32| !self.0[child as usize].is_leaf;
         1 + self
             .wide_children_of(binary_node)
             .into_iter()
@@ -176,19 +226,35 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     /// Returns the children of the wide node that a node of the binary tree becomes.
     fn wide_children_of(&self, binary_node: u32) -> SmallVec<[u32; WIDTH]> {
         let mut children = SmallVec::new();
-        match self.binary_nodes[binary_node as usize].is_leaf {
+        match self.0[binary_node as usize].is_leaf {
             true => children.push(binary_node),
             false => self.choose_children(binary_node, WIDTH, &mut children),
         }
         children
     }
 
+    /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `max_count`.
+    fn choose_children(&self, root: u32, mut max_count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
+        let binary_node = &self.0[root as usize];
+        while max_count > 1 && binary_node.first[max_count - 2] == 0 {
+            max_count -= 1;
+        }
+        if max_count == 1 {
+            return out.push(root);
+        }
+        let first = usize::from(binary_node.first[max_count - 2]);
+        self.choose_children(binary_node.parts[0], first, out);
+        self.choose_children(binary_node.parts[1], max_count - first, out);
+    }
+}
+
+impl Build {
     /// Fills a wide node of the BVH with children, recursively; returns their bounds.
     fn fill_node(&mut self, node: usize, binary_node: u32) -> Around {
         let mut all = Around::EMPTY;
         let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
-        for (slot, number) in self.wide_children_of(binary_node).into_iter().enumerate() {
-            let BinaryNode { is_leaf, items, .. } = self.binary_nodes[number as usize];
+        for (slot, number) in self.binary_tree.wide_children_of(binary_node).into_iter().enumerate() {
+            let BinaryNode { is_leaf, items, .. } = self.binary_tree.0[number as usize];
             if is_leaf {
                 let mut around = Around::EMPTY;
                 self.add_items(number, &mut around);
@@ -209,23 +275,9 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         all
     }
 
-    /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `max_count`.
-    fn choose_children(&self, root: u32, mut max_count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
-        let binary_node = &self.binary_nodes[root as usize];
-        while max_count > 1 && binary_node.first[max_count - 2] == 0 {
-            max_count -= 1;
-        }
-        if max_count == 1 {
-            return out.push(root);
-        }
-        let first = usize::from(binary_node.first[max_count - 2]);
-        self.choose_children(binary_node.parts[0], first, out);
-        self.choose_children(binary_node.parts[1], max_count - first, out);
-    }
-
     /// Appends the items of a subtree to the BVH, and extends `around` by their boxes.
     fn add_items(&mut self, root: u32, around: &mut Around) {
-        match self.binary_nodes[root as usize] {
+        match self.binary_tree.0[root as usize] {
             BinaryNode { items: 1, parts: [start, end], .. } => {
                 self.prims[start as usize..end as usize].iter().for_each(|prim| around.add(prim));
                 self.items.push(start..end);

@@ -3,9 +3,12 @@
 use super::node::{self, Child, Kind, WIDTH};
 use super::pack::{self, Pack};
 use super::{Bvh, Entry, FlatRay, STACK, flat_ray, nearest_child_pushing_others, pad_up};
-use crate::math::{Aabb, DVec2, Range, Ray, Sheared};
+use crate::math::{Aabb, DVec2, Range, Ray, Sheared, fork};
 use glam::Vec3;
 use std::ops::ControlFlow;
+
+/// Minimum number of packs that a thread of its own makes.
+const PACKS_FOR_A_THREAD: usize = 1 << 11;
 
 /// Bounding volume hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,11 +45,12 @@ macro_rules! meet {
 impl Triangles {
     /// Builds a BVH over the triangles with these corners, whose boxes [`super::fits_single_precision`] accepts; also
     /// returns the index of the triangle at each position of the order.
-    pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3]) -> (Self, Vec<u32>) {
+    pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3] + Sync) -> (Self, Vec<u32>) {
         let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
         let (bvh, order, rows) =
-            Bvh::build_packs((0..count).map(bounds), |items| Pack::fit_in_pack(items.iter().map(|i| corners(*i))));
-        let packs = rows.into_iter().map(|row| Pack::new(row, |place| corners(order[place as usize]))).collect();
+            Bvh::build_packs(count, bounds, |items| Pack::fit_in_pack(items.iter().map(|i| corners(*i))));
+        let pack = |i: usize| Pack::new(rows[i].clone(), |place| corners(order[place as usize]));
+        let packs = fork::map(rows.len(), PACKS_FOR_A_THREAD, pack);
         (Self { bvh, packs }, order)
     }
 

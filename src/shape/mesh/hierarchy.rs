@@ -2,11 +2,14 @@
 
 use super::Face;
 use crate::math::bvh;
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fork};
 use crate::mesh_io::{NONE, Triangles};
 use crate::shape::{Hit, Hits, Triangle};
 use serde::Serialize;
 use std::ops::ControlFlow;
+
+/// Minimum number of a mesh's triangles that a thread of its own handles.
+const FACES_FOR_A_THREAD: usize = 1 << 13;
 
 /// All triangles of a mesh, with a hierarchy over them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -31,7 +34,8 @@ impl TriangleHierarchy {
     /// numbers.
     pub fn new(lists: Triangles) -> Self {
         let mut all = Self { lists, ..Self::default() };
-        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_usable(i as usize)).collect();
+        let is_usable = fork::map(all.lists.corners.len(), FACES_FOR_A_THREAD, |i| all.is_usable(i));
+        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| is_usable[i as usize]).collect();
         let corners = |i: u32| all.lists.corners[i as usize].map(|i| all.lists.vertices[i as usize].to_array());
         let (bvh, order) = bvh::Triangles::build(kept.len(), |i| corners(kept[i as usize]));
         all.written = vec![0; order.len()];
@@ -42,7 +46,7 @@ impl TriangleHierarchy {
         let lists = &mut all.lists;
         for list in [&mut lists.corners, &mut lists.smooth, &mut lists.mapped, &mut lists.painted] {
             if !list.is_empty() {
-                *list = order.iter().map(|&i| list[i as usize]).collect();
+                *list = fork::map(order.len(), FACES_FOR_A_THREAD, |i| list[order[i] as usize]);
             }
         }
         let mut is_used = vec![false; all.lists.vertices.len()];
