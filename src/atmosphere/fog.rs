@@ -92,7 +92,7 @@ impl Fog {
             match r.peek_next()? {
                 Next::End => return Ok(fog),
                 Next::Thing("fog") => {
-                    if let Some(declared) = r.thing::<Fog>()? {
+                    if let Some(declared) = r.take_declared::<Fog>()? {
                         fog = (*declared).clone();
                     }
                 }

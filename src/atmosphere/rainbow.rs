@@ -111,11 +111,11 @@ impl Rainbow {
             match r.peek_next()? {
                 Next::End => break,
                 Next::Thing("rainbow") => {
-                    if let Some(declared) = r.thing::<Rainbow>()? {
+                    if let Some(declared) = r.take_declared::<Rainbow>()? {
                         rainbow = (*declared).clone();
                     }
                 }
-                Next::Thing("color_map") => rainbow.color_map = r.thing::<ColorMap>()?,
+                Next::Thing("color_map") => rainbow.color_map = r.take_declared::<ColorMap>()?,
                 Next::Block("color_map" | "colour_map") => {
                     r.take_token()?;
                     rainbow.color_map = Some(Arc::new(ColorMap::read(r)?));

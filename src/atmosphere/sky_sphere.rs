@@ -67,12 +67,12 @@ impl SkySphere {
             match r.peek_next()? {
                 Next::End => break,
                 Next::Thing("sky_sphere") => {
-                    if let Some(declared) = r.thing::<SkySphere>()? {
+                    if let Some(declared) = r.take_declared::<SkySphere>()? {
                         sky = (*declared).clone();
                     }
                 }
                 Next::Thing("pigment") => {
-                    if let Some(pigment) = r.thing::<Pigment>()? {
+                    if let Some(pigment) = r.take_declared::<Pigment>()? {
                         sky.pigments.push((*pigment).clone());
                     }
                 }

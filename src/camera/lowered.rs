@@ -16,7 +16,7 @@ pub struct LoweredCamera {
     /// Lens of focal blur; `None` for a pinhole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
-    /// Perturbation of camera rays by a `normal`.
+    /// Perturbation of camera rays by a `normal`; `None` for a camera without `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bumps: Option<Bumps>,
 }

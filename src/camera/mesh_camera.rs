@@ -194,7 +194,8 @@ impl MeshRays {
         self.ray_along_normal(middle, normal)
     }
 
-    /// Returns the ray from the first face of the mesh that contains this uv.
+    /// Returns the ray from the first face of the mesh that contains this uv; `None` if no face does, or if the normal
+    /// is zero.
     fn ray_at_uv(&self, uv: DVec2) -> Option<Ray> {
         let (bvh, order) = &self.by_uv;
         let mut first: Option<(u32, DVec3)> = None;

@@ -76,7 +76,7 @@ impl Camera {
             Camera::Povray(camera) => camera.clone(),
             Camera::Lecture(_) => PovrayCamera::default(),
         };
-        if let Some(declared) = r.thing::<Camera>()? {
+        if let Some(declared) = r.take_declared::<Camera>()? {
             match &*declared {
                 Camera::Povray(camera) => povray = camera.clone(),
                 lecture => {
@@ -124,7 +124,7 @@ impl Camera {
                     povray.bokeh = read_bokeh(r, default_texture)?;
                     r.leave_block()?;
                 }
-                Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
+                Next::Thing("normal") => povray.normal = r.take_declared::<Normal>()?,
                 Next::Block("normal") => {
                     r.take_token()?;
                     povray.normal =
@@ -174,13 +174,13 @@ impl Camera {
     }
 }
 
-/// Reads a camera's `bokeh { }` block and returns the last of its pigments.
+/// Reads a camera's `bokeh { }` block and returns the last of its pigments; `None` for an empty block.
 fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigment>>> {
     let mut pigment = None;
     loop {
         match r.peek_next()? {
             Next::End => return Ok(pigment),
-            Next::Thing("pigment") => pigment = r.thing::<Pigment>()?,
+            Next::Thing("pigment") => pigment = r.take_declared::<Pigment>()?,
             Next::Block("pigment") => {
                 r.take_token()?;
                 pigment = Some(Arc::new(Pigment::read(r, &defaults.layers[0].pigment, defaults)?));

@@ -30,7 +30,7 @@ impl PovrayCamera {
         match word {
             "look_at" if self.look_at != Some(self.location) => self.apply_look_at(),
             "angle" if self.angle.is_some_and(|angle| angle > 0.0 && angle < 180.0) => self.apply_angle(),
-            "orthographic" => self.apply_orthographic(),
+            "orthographic" => self.scale_orthographic_window(),
             "focal_point" => self.blur.distance = Some(self.blur.focal_point.distance(self.location)),
             _ => {}
         }

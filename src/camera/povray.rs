@@ -27,13 +27,13 @@ pub struct PovrayCamera {
     pub up: DVec3,
     /// Direction that `look_at` keeps upright.
     pub sky: DVec3,
-    /// The point shown in the centre of the picture.
+    /// The point shown in the centre of the picture; `None` if it is not stated.
     pub look_at: Option<DVec3>,
     /// Horizontal angle of view in degrees; `None` for `angle 0`, too.
     pub angle: Option<f64>,
     /// True if `angle` is stated, even as 0.
     pub has_angle: bool,
-    /// Vertical angle of view of a spherical camera, in degrees.
+    /// Vertical angle of view of a spherical camera, in degrees; `None` for half the horizontal angle.
     pub vertical_angle: Option<f64>,
     /// True if `right` or `up` is stated, which fixes the window of an orthographic camera.
     pub sized: bool,
@@ -46,7 +46,7 @@ pub struct PovrayCamera {
     /// Meshes and settings of a mesh camera; `None` for other cameras.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<Arc<MeshCamera>>,
-    /// Perturbation of camera rays by a `normal`.
+    /// Perturbation of camera rays by a `normal`; `None` for a camera without `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
     /// Pigment for the transmittance of a square lens, from `bokeh`; `None` for a disc.
@@ -174,7 +174,7 @@ impl PovrayCamera {
         if !self.ordered {
             camera.apply_angle();
             if self.has_angle || !self.sized {
-                camera.apply_orthographic();
+                camera.scale_orthographic_window();
             }
             camera.apply_look_at();
         }
@@ -182,7 +182,8 @@ impl PovrayCamera {
         Frame { origin: camera.location, direction: camera.direction, right: camera.right, up: camera.up }
     }
 
-    /// Sets the length of `direction` from the angle of view: tan(angle/2) = half the window's width / the length.
+    /// Sets the length of `direction` from the angle of view: tan(angle/2) = half the window's width / the length. Has
+    /// an effect only on perspective and orthographic cameras with an `angle`.
     pub(super) fn apply_angle(&mut self) {
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|_| flat) {
@@ -191,15 +192,16 @@ impl PovrayCamera {
         }
     }
 
-    /// Sets the window of an orthographic camera from the distance of `look_at` (quirk: `orthographic_window`).
-    pub(super) fn apply_orthographic(&mut self) {
+    /// Scales `right` and `up` of an orthographic camera by the distance of `look_at`; has no effect on other cameras
+    /// (quirk: `orthographic_window`).
+    pub(super) fn scale_orthographic_window(&mut self) {
         if self.kind == Kind::Orthographic {
             let scale = self.look_at.unwrap_or(DVec3::Z).distance(self.location) / self.direction.length();
             (self.right, self.up) = (self.right * scale, self.up * scale);
         }
     }
 
-    /// Turns the camera's direction, right and up towards `look_at`; keeps lengths and handedness.
+    /// Turns the camera's direction, right and up towards `look_at`, if it is stated; keeps lengths and handedness.
     pub(super) fn apply_look_at(&mut self) {
         let Some(target) = self.look_at else { return };
         let Self { direction, right, up, .. } = *self;

@@ -127,7 +127,7 @@ fn prepare(
         let progress = Progress::new(display, console, sources.name(file), 0, false);
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.light = Some(&light);
-        monitor.prepare_light(&world, &drawing)?;
+        monitor.compute_and_save_light(&world, &drawing)?;
         write_file(&light, output)
     })?;
     console.info(&format!(

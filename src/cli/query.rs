@@ -181,9 +181,9 @@ fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
                 let DVec3 { x, y, z } = color.rgb;
                 let clear = [color.filter, color.transmit];
                 if clear == [0.0; 2] {
-                    return format!("rgb {}", vector_with_four_decimals(&[x, y, z]));
+                    return format!("rgb {}", format_vector_rounded(&[x, y, z]));
                 }
-                format!("rgbft {}", vector_with_four_decimals(&[x, y, z, clear[0], clear[1]]))
+                format!("rgbft {}", format_vector_rounded(&[x, y, z, clear[0], clear[1]]))
             }
             other => kind_word(other),
         },
@@ -232,18 +232,14 @@ fn in_words(contents: &Contents) -> String {
     for camera in &contents.cameras {
         let text = match (&camera.projection, camera.location, camera.direction) {
             (Some(projection), Some(at), Some(to)) => {
-                format!(
-                    "{projection} at {}, looks along {}",
-                    vector_with_four_decimals(&at),
-                    vector_with_four_decimals(&to)
-                )
+                format!("{projection} at {}, looks along {}", format_vector_rounded(&at), format_vector_rounded(&to))
             }
             _ => "not used: another one follows".into(),
         };
         rows.push([place(&camera.source), format!("camera    {text}")]);
     }
     for light in &contents.lights {
-        let (at, color) = (vector_with_four_decimals(&light.location), vector_with_four_decimals(&light.color));
+        let (at, color) = (format_vector_rounded(&light.location), format_vector_rounded(&light.color));
         rows.push([place(&light.source), format!("light     {} at {at}, rgb {color}", light.kind)]);
     }
     for at_one_position in contents.objects.chunk_by(|a, b| a.source == b.source && a.word == b.word) {
@@ -270,11 +266,9 @@ fn objects_in_words(at_one_position: &[ObjectRow]) -> String {
         at_one_position.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
     let pov_bounds = match boxes.reduce(Aabb::union) {
         _ if at_one_position.iter().any(|row| row.infinite) => "infinite".into(),
-        Some(all) => format!(
-            "{} to {}",
-            vector_with_four_decimals(&all.min.to_array()),
-            vector_with_four_decimals(&all.max.to_array())
-        ),
+        Some(all) => {
+            format!("{} to {}", format_vector_rounded(&all.min.to_array()), format_vector_rounded(&all.max.to_array()))
+        }
         None => "empty".into(),
     };
     let shapes =
@@ -306,8 +300,8 @@ fn counted(n: usize, thing: &str) -> String {
     format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
 }
 
-/// Formats a vector with four decimal places, enough to find an object.
-fn vector_with_four_decimals(numbers: &[f64]) -> String {
+/// Formats a vector as `<1, 0.5, 0>`, with at most four decimals (enough to find an object) and without trailing zeros.
+fn format_vector_rounded(numbers: &[f64]) -> String {
     let texts: Vec<_> =
         numbers.iter().map(|x| if x.is_finite() { format_decimal(*x, 4) } else { x.to_string() }).collect();
     format!("<{}>", texts.join(", "))

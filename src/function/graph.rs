@@ -201,7 +201,7 @@ impl Callee {
 }
 
 fn load_generator(scene: &AtomicU8) -> NoiseGenerator {
-    NoiseGenerator::from_generator_number(f64::from(scene.load(Ordering::Relaxed)))
+    NoiseGenerator::from_number_modulo_4(f64::from(scene.load(Ordering::Relaxed)))
 }
 
 fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {

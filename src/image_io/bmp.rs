@@ -17,8 +17,9 @@ const RUNS_OF_BYTES: u32 = 1;
 const RUNS_OF_HALVES: u32 = 2;
 
 impl Header {
-    fn read(bytes: &[u8]) -> Option<Self> {
-        let long = |at: usize| bytes.get(at..)?.first_chunk().copied().map(u32::from_le_bytes);
+    /// Reads the header at the start of a BMP file; `None` if the file is too short.
+    fn read(file: &[u8]) -> Option<Self> {
+        let long = |at: usize| file.get(at..)?.first_chunk().copied().map(u32::from_le_bytes);
         let height = long(22)? as i32;
         Some(Self {
             start: long(10)? as usize,
@@ -36,14 +37,14 @@ impl Header {
     }
 }
 
-/// Palette index of each pixel of a BMP file of `width` by `height` pixels, from the top left; `None` without a palette,
-/// if the file is broken, or if its header has another size.
-pub(super) fn palette_indices(bytes: &[u8], width: usize, height: usize) -> Option<Vec<u8>> {
-    let header = Header::read(bytes)?;
-    if (header.width, header.height) != (width, height) || width == 0 {
+/// Palette index of each pixel of a complete BMP file, from the top left; `None` without a palette, if the file is
+/// broken, or if its header has another width and height than `expected_size`.
+pub(super) fn bmp_palette_indices(file: &[u8], expected_size: [usize; 2]) -> Option<Vec<u8>> {
+    let header = Header::read(file)?;
+    if [header.width, header.height] != expected_size || header.width == 0 {
         return None;
     }
-    let data = bytes.get(header.start..)?;
+    let data = file.get(header.start..)?;
     let rows = match (header.compression, header.bits) {
         (PLAIN, 1 | 4 | 8) => decode_uncompressed_indices(&header, data)?,
         (RUNS_OF_BYTES, 8) | (RUNS_OF_HALVES, 4) => decode_index_runs(&header, data)?,
@@ -52,7 +53,8 @@ pub(super) fn palette_indices(bytes: &[u8], width: usize, height: usize) -> Opti
     Some(header.top_first(rows))
 }
 
-/// Decodes uncompressed palette indices of a BMP file; each row is padded to a multiple of four bytes.
+/// Decodes uncompressed palette indices from a BMP file's pixel data, in which each row is padded to a multiple of four
+/// bytes; `None` if `data` is too short.
 fn decode_uncompressed_indices(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let stride = header.width.checked_mul(header.bits)?.div_ceil(32) * 4;
     let data = data.get(..stride.checked_mul(header.height)?)?;
@@ -67,8 +69,8 @@ fn decode_uncompressed_indices(header: &Header, data: &[u8]) -> Option<Vec<u8>> 
     Some(data.chunks(stride).flat_map(|row| (0..header.width).map(move |x| number(row, x))).collect())
 }
 
-/// Decodes run-length data of a BMP file: pairs of a count and a byte that is repeated; a count of 0 ends a row (0),
-/// ends the picture (1), moves the position (2), or precedes literal bytes.
+/// Decodes run-length pixel data of a BMP file: pairs of a count and a byte that is repeated; a count of 0 ends a row
+/// (0), ends the picture (1), moves the position (2), or precedes literal bytes. `None` if `data` ends within a code.
 fn decode_index_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let (width, halves) = (header.width, header.bits == 4);
     let mut out = vec![0; width.checked_mul(header.height)?];
@@ -112,15 +114,15 @@ fn decode_index_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     Some(out)
 }
 
-/// The fourth byte of each pixel of an uncompressed bmp with 32 bits a pixel, from the top left; `None` for any other
-/// file.
-pub(super) fn bmp_alpha(bytes: &[u8]) -> Option<Vec<u8>> {
-    let header = Header::read(bytes)?;
+/// The fourth byte of each pixel of a complete, uncompressed BMP file with 32 bits a pixel, from the top left; `None`
+/// for any other file.
+pub(super) fn bmp_alpha(file: &[u8]) -> Option<Vec<u8>> {
+    let header = Header::read(file)?;
     if header.bits != 32 || header.compression != PLAIN {
         return None;
     }
     let size = header.width.checked_mul(header.height)?.checked_mul(4)?;
-    let data = bytes.get(header.start..)?.get(..size)?;
+    let data = file.get(header.start..)?.get(..size)?;
     if data.is_empty() {
         return None;
     }
@@ -140,7 +142,7 @@ mod tests {
     }
 
     fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
-        palette_indices(bytes, 3, 2)
+        bmp_palette_indices(bytes, [3, 2])
     }
 
     #[test]
@@ -165,6 +167,6 @@ mod tests {
         let mut huge = file(8, 1, &[0, 1]);
         huge[18..26].fill(0x7f);
         assert_eq!(indices(&huge), None);
-        assert_eq!(palette_indices(&file(8, 1, &[0, 1]), 0, 2), None);
+        assert_eq!(bmp_palette_indices(&file(8, 1, &[0, 1]), [0, 2]), None);
     }
 }

@@ -36,6 +36,7 @@ pub enum Samples {
 /// A picture, with the palette indices of its pixels if the decoder returns them.
 pub(super) struct Decoded {
     pub pixels: Pixels,
+    /// Palette index of each pixel, from the top left; `None` if the decoder returns none.
     pub indices: Option<Vec<u8>>,
 }
 
@@ -125,7 +126,7 @@ fn decode_by_signature(bytes: &[u8], extension: &str) -> Result<Decoded, String>
         Some(alpha) => pixels.with_alpha_if_rgb8(&alpha),
         None => pixels,
     };
-    let indices = bmp::palette_indices(bytes, pixels.width, pixels.height);
+    let indices = bmp::bmp_palette_indices(bytes, [pixels.width, pixels.height]);
     Ok(Decoded { pixels, indices })
 }
 

@@ -44,7 +44,8 @@ impl SrgbQuantizer {
         }
     }
 
-    /// Returns the integer code nearest to the encoded light; 0 for NaN and negative numbers, the largest one above 1.
+    /// Encodes linear light and returns the nearest integer code; 0 for NaN and negative light, the largest code above
+    /// 1.
     #[inline]
     fn code_of_light(&self, x: f32) -> u16 {
         let x = if x > self.lowest { x.min(1.0) } else { self.lowest };
@@ -90,10 +91,14 @@ pub(super) fn encode_srgb16(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
 
 /// Encoder of linear light to the integers of a picture file.
 pub(super) struct Integers {
+    /// True for integers of 16 bits, false for 8 bits.
     pub wide: bool,
+    /// True if the file stores alpha as a fourth channel.
     pub alpha: bool,
     pub gamma: Gamma,
+    /// Dithering of the rounding errors; `None` for plain rounding.
     pub ditherer: Option<Ditherer>,
+    /// Width of the picture, in pixels.
     pub width: usize,
 }
 
@@ -129,8 +134,8 @@ impl Integers {
         out
     }
 
-    /// Returns the linear light of a pixel's channels, clamped to 0..1: composited over black, or followed by alpha where
-    /// alpha is encoded.
+    /// Returns the channels to encode of a linear RGBA pixel, still linear and clamped to 0..1: RGBA if the file stores
+    /// alpha, otherwise RGB composited over black.
     fn channel_lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
         let [r, g, b] = if self.alpha { [r, g, b] } else { composite_over_black([r, g, b, a]) };
         // (`max` replaces NaN by 0.)
@@ -147,7 +152,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// Returns the encoded light of a channel in units of integer codes, not rounded.
+    /// Encodes the linear light of a channel and returns it in units of integer codes, not rounded.
     pub fn unrounded_code(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max

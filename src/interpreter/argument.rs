@@ -1,7 +1,7 @@
 //! Arguments of macros and of those built-in functions that take names, array elements or objects.
 
 use super::Interpreter;
-use super::evaluator::{LValue, Slot, as_float, as_vector, is_callable, not_text_error};
+use super::evaluator::{Contents, LValue, as_float, as_vector, is_callable, not_text_error};
 use super::stream::Token;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -23,7 +23,7 @@ pub(super) enum ArgumentForm<'a> {
     LValue(LValue),
     /// Contents of an argument that is any other value, or whose name or array element is gone when the macro around it
     /// ends.
-    Slot(Slot<'a>),
+    Contents(Contents<'a>),
 }
 
 impl<'a> Interpreter<'a> {
@@ -34,7 +34,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Index(base, indices) => ArgumentForm::LValue(self.element_lvalue(base, indices)?),
             _ => match self.dictionary_lvalue(e)? {
                 Some(lvalue) => ArgumentForm::LValue(lvalue),
-                None => ArgumentForm::Slot(Slot::Value(self.evaluate(e)?)),
+                None => ArgumentForm::Contents(Contents::Value(self.evaluate(e)?)),
             },
         };
         Ok(Argument { given, span: e.span })
@@ -47,26 +47,27 @@ impl<'a> Interpreter<'a> {
         match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 // The look-ahead may end the macro that holds the name.
-                let (slot, depth) = (self.evaluator.scopes().get(*symbol).cloned(), self.stream.call_depth());
+                let (contents, depth) = (self.evaluator.scopes().get(*symbol).cloned(), self.stream.call_depth());
                 let level =
                     self.evaluator.scopes().resolve(*symbol).map(|lvalue| self.evaluator.scopes().level_of(&lvalue));
                 self.stream.advance();
-                let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
+                let called =
+                    matches!(&contents, Some(Contents::Value(value)) if is_callable(value)) && self.call_follows()?;
                 let ends = !called && self.no_token_continues_value()?;
                 let lasting = level.is_some_and(|level| level <= self.evaluator.scopes().level());
                 if !ends {
                     self.report_first_use(*symbol, span);
                 }
-                match slot {
+                match contents {
                     _ if ends && depth == self.stream.call_depth() => {
                         Ok(Argument { given: ArgumentForm::Name(*symbol), span })
                     }
                     Some(_) if ends && lasting => Ok(Argument { given: ArgumentForm::Name(*symbol), span }),
-                    Some(slot) if ends => Ok(Argument { given: ArgumentForm::Slot(slot), span }),
-                    Some(slot) => self.continue_argument(slot, span),
+                    Some(contents) if ends => Ok(Argument { given: ArgumentForm::Contents(contents), span }),
+                    Some(contents) => self.continue_argument(contents, span),
                     None => {
                         let value = self.evaluate_name(*symbol, span)?;
-                        self.continue_argument(Slot::Value(value), span)
+                        self.continue_argument(Contents::Value(value), span)
                     }
                 }
             }
@@ -74,36 +75,37 @@ impl<'a> Interpreter<'a> {
                 let Some(lvalue) = self.stream.array_element().cloned() else {
                     return Err(self.unexpected_token("a value").into());
                 };
-                let (slot, depth) = (self.evaluator.scopes().slot_at(&lvalue).cloned(), self.stream.call_depth());
+                let (contents, depth) =
+                    (self.evaluator.scopes().contents_at(&lvalue).cloned(), self.stream.call_depth());
                 self.stream.advance();
                 let ends = self.no_token_continues_value()?;
-                match slot {
+                match contents {
                     _ if ends && depth == self.stream.call_depth() => {
                         Ok(Argument { given: ArgumentForm::LValue(lvalue), span })
                     }
-                    Some(slot) if ends => Ok(Argument { given: ArgumentForm::Slot(slot), span }),
-                    Some(slot) => self.continue_argument(slot, span),
+                    Some(contents) if ends => Ok(Argument { given: ArgumentForm::Contents(contents), span }),
+                    Some(contents) => self.continue_argument(contents, span),
                     None => self
                         .evaluator
-                        .slot_at(&lvalue, span)
-                        .map(|slot| Argument { given: ArgumentForm::Slot(slot), span }),
+                        .contents_at(&lvalue, span)
+                        .map(|contents| Argument { given: ArgumentForm::Contents(contents), span }),
                 }
             }
             Token::Block(_) | Token::Function(_) => {
-                let slot = self.read_rvalue()?;
-                Ok(Argument { given: ArgumentForm::Slot(slot), span })
+                let contents = self.read_rvalue()?;
+                Ok(Argument { given: ArgumentForm::Contents(contents), span })
             }
             _ => {
                 let (value, span) = self.read_expression(true)?;
-                Ok(Argument { given: ArgumentForm::Slot(Slot::Value(value)), span })
+                Ok(Argument { given: ArgumentForm::Contents(Contents::Value(value)), span })
             }
         }
     }
 
-    fn continue_argument(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
-        let first = self.slot_value(first, span)?;
+    fn continue_argument(&mut self, first: Contents<'a>, span: Span) -> Result<Argument<'a>> {
+        let first = self.value_of_contents(first, span)?;
         let (value, span) = self.continue_value(first, span)?;
-        Ok(Argument { given: ArgumentForm::Slot(Slot::Value(value)), span })
+        Ok(Argument { given: ArgumentForm::Contents(Contents::Value(value)), span })
     }
 
     /// True if no following token continues the value that was just read.
@@ -120,25 +122,26 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// Returns the contents of an argument that is a name, an element or a value; an error if the argument has none.
-    pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
+    /// Returns a copy of an argument's contents: those of the name or array element, or the value; an error if the name
+    /// or element has none.
+    pub(super) fn argument_contents(&mut self, argument: &Argument<'a>) -> Result<Contents<'a>> {
         match &argument.given {
             ArgumentForm::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
-                Some(slot) => Ok(slot.clone()),
-                None => self.evaluate_name(*symbol, argument.span).map(Slot::Value),
+                Some(contents) => Ok(contents.clone()),
+                None => self.evaluate_name(*symbol, argument.span).map(Contents::Value),
             },
-            ArgumentForm::LValue(lvalue) => self.evaluator.slot_at(lvalue, argument.span),
-            ArgumentForm::Slot(slot) => Ok(slot.clone()),
+            ArgumentForm::LValue(lvalue) => self.evaluator.contents_at(lvalue, argument.span),
+            ArgumentForm::Contents(contents) => Ok(contents.clone()),
         }
     }
 
     pub(super) fn argument_value(&mut self, argument: &Argument<'a>) -> Result<Value> {
         match &argument.given {
             ArgumentForm::Name(symbol) => self.evaluate_name(*symbol, argument.span),
-            ArgumentForm::Slot(Slot::Value(value)) => Ok(value.clone()),
+            ArgumentForm::Contents(Contents::Value(value)) => Ok(value.clone()),
             _ => {
-                let slot = self.argument_slot(argument)?;
-                self.slot_value(slot, argument.span)
+                let contents = self.argument_contents(argument)?;
+                self.value_of_contents(contents, argument.span)
             }
         }
     }
@@ -164,8 +167,8 @@ impl<'a> Interpreter<'a> {
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             ArgumentForm::Name(symbol) => self.evaluator.is_declared(*symbol),
-            ArgumentForm::LValue(lvalue) => self.evaluator.scopes().slot_at(lvalue).is_some(),
-            ArgumentForm::Slot(_) => false,
+            ArgumentForm::LValue(lvalue) => self.evaluator.scopes().contents_at(lvalue).is_some(),
+            ArgumentForm::Contents(_) => false,
         }
     }
 }

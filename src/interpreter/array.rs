@@ -3,7 +3,7 @@
 use super::Interpreter;
 use super::argument::Argument;
 use super::evaluator::as_float;
-use super::evaluator::{Array, LValue, Slot};
+use super::evaluator::{Array, Contents, LValue};
 use super::stream::{StackFrame, Token};
 use super::token_expr::joined_span_if_near;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -19,13 +19,13 @@ const MAX_ELEMENTS: usize = 50_000_000;
 const MAX_DIMENSIONS: usize = 5;
 
 /// Returns the dictionary of `#declare D = dictionary;` (3.8).
-pub(super) fn empty_dictionary<'a>() -> Slot<'a> {
-    Slot::Array(Rc::new(Array { sizes: Box::new([0]), items: vec![], keys: Some(vec![]) }))
+pub(super) fn empty_dictionary<'a>() -> Contents<'a> {
+    Contents::Array(Rc::new(Array { sizes: Box::new([0]), items: vec![], keys: Some(vec![]) }))
 }
 
 impl<'a> Interpreter<'a> {
     /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }` from the word `array` on. The braces determine missing sizes (3.8).
-    pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
+    pub(super) fn read_array(&mut self) -> Result<Contents<'a>> {
         let span = self.stream.next_span();
         self.stream.advance();
         // 3.8 requires the word `mixed` where types are mixed. durer accepts mixed types without it.
@@ -59,7 +59,7 @@ impl<'a> Interpreter<'a> {
             let rows = array.sizes.clone();
             self.read_array_rows(&rows, &mut array.items)?;
         }
-        Ok(Slot::Array(Rc::new(array)))
+        Ok(Contents::Array(Rc::new(array)))
     }
 
     /// Reads the array size `[3]`, or `[]` for a size that the braces determine.
@@ -85,7 +85,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the elements `{ … }` of an array of the given sizes. Elements that are left out have no value.
-    fn read_array_rows(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
+    fn read_array_rows(&mut self, sizes: &[usize], items: &mut [Option<Contents<'a>>]) -> Result<()> {
         let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
         };
@@ -113,7 +113,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads an element of an array. In an array without sizes, braces make an array of arrays.
-    fn read_array_item(&mut self) -> Result<Slot<'a>> {
+    fn read_array_item(&mut self) -> Result<Contents<'a>> {
         match self.peek()? {
             Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.next_span()),
             _ => self.read_rvalue(),
@@ -121,7 +121,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads `array { 1, 2, 3 }` (3.8): the braces determine the size.
-    pub(super) fn read_braced_array(&mut self, span: Span) -> Result<Slot<'a>> {
+    pub(super) fn read_braced_array(&mut self, span: Span) -> Result<Contents<'a>> {
         match self.peek_continuation()? {
             Token::Open(Bracket::Brace, _) => {}
             Token::Block(block) if block.word == Some("array") => {}
@@ -136,13 +136,13 @@ impl<'a> Interpreter<'a> {
             items.push(Some(self.read_array_item()?));
         }
         self.close_bracket("`}`")?;
-        Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
+        Ok(Contents::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
     }
 
     /// Reads `{ .Name: 1, ["other name"]: 2 }` of a `dictionary` (3.8), from the opening brace on.
-    pub(super) fn read_dictionary(&mut self) -> Result<Slot<'a>> {
+    pub(super) fn read_dictionary(&mut self) -> Result<Contents<'a>> {
         self.open_bracket()?;
-        let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
+        let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Contents<'a>>>) = (vec![], vec![]);
         while !self.peek()?.is_closer_or_end() {
             let key: Rc<str> = self.read_dictionary_key()?;
             match self.peek()? {
@@ -159,7 +159,7 @@ impl<'a> Interpreter<'a> {
             }
         }
         self.close_bracket("`}`")?;
-        Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
+        Ok(Contents::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
     }
 
     /// Reads a key of a dictionary: `.Name` or `["name"]`.
@@ -268,7 +268,7 @@ impl<'a> Interpreter<'a> {
         }
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
-                Some(Slot::Array(array)) if array.keys.is_some() => {
+                Some(Contents::Array(array)) if array.keys.is_some() => {
                     return Ok(self.evaluator.scopes().resolve(*symbol));
                 }
                 _ => return Ok(None),
@@ -290,18 +290,18 @@ impl<'a> Interpreter<'a> {
         base: &'a Expr,
         indices: &'a [Expr],
         span: Span,
-    ) -> Result<Slot<'a>> {
+    ) -> Result<Contents<'a>> {
         let lvalue = self.element_lvalue(base, indices)?;
-        self.evaluator.slot_at(&lvalue, span)
+        self.evaluator.contents_at(&lvalue, span)
     }
 
     /// Consumes a [`Token::Element`], and returns the contents of the element.
-    pub(super) fn take_array_element(&mut self) -> Result<Slot<'a>> {
+    pub(super) fn take_array_element(&mut self) -> Result<Contents<'a>> {
         let span = self.stream.next_span();
         let lvalue = self.stream.take_array_element();
         self.stream.advance();
         match lvalue {
-            Some(lvalue) => self.evaluator.slot_at(&lvalue, span),
+            Some(lvalue) => self.evaluator.contents_at(&lvalue, span),
             None => self.evaluator.no_value_error(span),
         }
     }
@@ -366,13 +366,13 @@ impl<'a> Interpreter<'a> {
         let mut rest = &numbers[..];
         while !rest.is_empty() {
             let at = indices[numbers.len() - rest.len()].1;
-            let slot = self.evaluator.scopes().slot_at(&lvalue).and_then(|slot| slot.element(&path));
-            if let Some(slot @ Slot::Faulty(_)) = slot {
-                let slot = slot.clone();
-                self.slot_value(slot, span)?;
+            let contents = self.evaluator.scopes().contents_at(&lvalue).and_then(|contents| contents.element(&path));
+            if let Some(contents @ Contents::Faulty(_)) = contents {
+                let contents = contents.clone();
+                self.value_of_contents(contents, span)?;
                 return Diagnostic::err(codes::FOLLOWS, span, "");
             }
-            let Some(Slot::Array(array)) = slot else {
+            let Some(Contents::Array(array)) = contents else {
                 let name = self.inputs.sources.snippet(Span { lo: span.lo, hi: at.lo.saturating_sub(1) });
                 return Diagnostic::err(codes::WRONG_TYPE, at, format!("`{name}` is no array: it takes no `[…]`"));
             };
@@ -405,7 +405,7 @@ impl<'a> Interpreter<'a> {
                 None => return Ok(false),
             }
         }
-        Ok(self.evaluator.scopes().slot_at(&lvalue).is_some())
+        Ok(self.evaluator.scopes().contents_at(&lvalue).is_some())
     }
 
     /// Returns the number of elements of an array's dimension; the first dimension is 1.
@@ -424,10 +424,10 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the array that an argument names, for `dimensions` and `dimension_size`.
     pub(super) fn array_argument(&mut self, argument: &Argument<'a>) -> Result<Rc<Array<'a>>> {
-        match self.argument_slot(argument)? {
-            Slot::Array(array) => Ok(array),
-            slot => {
-                let value = self.slot_value(slot, argument.span)?;
+        match self.argument_contents(argument)? {
+            Contents::Array(array) => Ok(array),
+            contents => {
+                let value = self.value_of_contents(contents, argument.span)?;
                 let message = format!("expected an array, found {}", value.describe());
                 Diagnostic::err(codes::WRONG_TYPE, argument.span, message)
             }

@@ -6,7 +6,7 @@ use super::evaluator::{
     TOLERANCE, apply_prefix, as_float, combine, component, divides_by_zero, not_text_error, vector_value,
 };
 
-use super::evaluator::{Quick, Slot};
+use super::evaluator::{Contents, Quick};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -43,8 +43,8 @@ impl<'a> Interpreter<'a> {
             ExprKind::Builtin(name, arguments) => self.call_builtin(name.name, arguments, e.span),
             ExprKind::Dot(..) => self.evaluate_member_access(e),
             ExprKind::Index(array, indices) => {
-                let slot = self.evaluate_array_access(array, indices, e.span)?;
-                self.slot_value(slot, e.span)
+                let contents = self.evaluate_array_access(array, indices, e.span)?;
+                self.value_of_contents(contents, e.span)
             }
             ExprKind::Apply(function, arguments) => {
                 let function = self.evaluate(function)?;
@@ -59,8 +59,8 @@ impl<'a> Interpreter<'a> {
     /// Evaluates a member access such as `A.x`, without recursion for a chain such as `A.B.C`.
     fn evaluate_member_access(&mut self, e: &'a Expr) -> Result<Value> {
         if let Some(lvalue) = self.dictionary_lvalue(e)? {
-            let slot = self.evaluator.slot_at(&lvalue, e.span)?;
-            return self.slot_value(slot, e.span);
+            let contents = self.evaluator.contents_at(&lvalue, e.span)?;
+            return self.value_of_contents(contents, e.span);
         }
         let (mut base, mut names) = (e, vec![]);
         while let ExprKind::Dot(inner, name, _) = &base.kind
@@ -99,51 +99,51 @@ impl<'a> Interpreter<'a> {
     /// undeclared name, after a failed declaration, and for the name of an array, a file or a macro.
     pub(super) fn evaluate_name(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
-            Some(Slot::Value(Value::Thing(thing))) => {
+            Some(Contents::Value(Value::Thing(thing))) => {
                 let thing = thing.clone();
                 self.report_first_use(symbol, span);
                 Ok(Value::Thing(thing))
             }
-            Some(Slot::Value(value)) => {
+            Some(Contents::Value(value)) => {
                 let value = value.clone();
                 if self.evaluator.has_deprecations() {
                     self.report_first_use(symbol, span);
                 }
                 Ok(value)
             }
-            Some(slot @ (Slot::Faulty(_) | Slot::Macro(_) | Slot::Array(_) | Slot::File(_))) => {
-                let slot = slot.clone();
-                self.slot_value(slot, span)
+            Some(contents @ (Contents::Faulty(_) | Contents::Macro(_) | Contents::Array(_) | Contents::File(_))) => {
+                let contents = contents.clone();
+                self.value_of_contents(contents, span)
             }
-            Some(Slot::Alias(_)) | None => match self.evaluator.constant(symbol) {
+            Some(Contents::Alias(_)) | None => match self.evaluator.constant(symbol) {
                 Some(value) => Ok(value),
                 None => self.undeclared_name_error(symbol, span).into(),
             },
         }
     }
 
-    /// Returns the value in a slot; an error for an array, a file, a macro and a failed declaration, whose faults are
-    /// reported here.
-    pub(super) fn slot_value(&mut self, slot: Slot<'a>, span: Span) -> Result<Value> {
-        match slot {
-            Slot::Value(value) => Ok(value),
-            Slot::Faulty(faults) => {
+    /// Returns the value in `contents`; an error for an array, a file, a macro and a failed declaration, whose faults
+    /// are reported here.
+    pub(super) fn value_of_contents(&mut self, contents: Contents<'a>, span: Span) -> Result<Value> {
+        match contents {
+            Contents::Value(value) => Ok(value),
+            Contents::Faulty(faults) => {
                 for fault in faults.iter() {
                     self.reporter.report(fault.clone());
                 }
                 Diagnostic::err(codes::FOLLOWS, span, "")
             }
-            Slot::Macro(definition) => {
+            Contents::Macro(definition) => {
                 let name = self.inputs.names.text(definition.name);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"))
                     .help(format!("a call needs parentheses: `{name}()`"))
                     .into()
             }
-            Slot::File(_) => {
+            Contents::File(_) => {
                 let name = self.inputs.sources.snippet(span);
                 Diagnostic::err(codes::EXPECTED_VALUE, span, format!("`{name}` is a file"))
             }
-            Slot::Array(_) | Slot::Alias(_) => {
+            Contents::Array(_) | Contents::Alias(_) => {
                 let name = self.inputs.sources.snippet(span);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is an array"))
                     .help(format!("`{name}[0]` is its first element"))

@@ -53,11 +53,11 @@ pub struct Options {
     pub sandbox: Sandbox,
     /// Names declared by `--declare NAME=VALUE`; [`crate::value::parse_value`] parses the values.
     pub declares: Vec<(String, String)>,
-    /// Language version in force before the scene's own `#version` (`--language`).
+    /// Language version in force before the scene's own `#version` (`--language`); `None` for the default version.
     pub version: Option<f64>,
     /// Values of `clock`, `frame_number` and the other constants of an animation.
     pub timing: Timing,
-    /// Name of a file that is included before the scene, as by a first line `#include`.
+    /// Name of a file that is included before the scene, as by a first line `#include`; `None` without such a file.
     pub header: Option<String>,
     /// Value of `input_file_name`: the name of the scene file without its folder.
     pub input_name: String,
@@ -65,9 +65,9 @@ pub struct Options {
     pub size: (usize, usize),
     /// Maximum number of directives, loop passes and macro calls (`--max-steps`).
     pub max_steps: u64,
-    /// Maximum duration of the run in seconds (`--max-time`).
+    /// Maximum duration of the run in seconds (`--max-time`); `None` for no limit.
     pub max_time: Option<f64>,
-    /// Maximum memory of the process in bytes (`--max-memory`).
+    /// Maximum memory of the process in bytes (`--max-memory`); `None` for no limit.
     pub max_memory: Option<u64>,
     /// Clock and memory meter, for the limits and the constant `now`.
     pub host: Arc<dyn Host>,
@@ -168,7 +168,7 @@ pub(crate) struct Interpreter<'a> {
     evaluator: Evaluator<'a>,
     builder: SceneBuilder,
     reporter: Reporter<'a>,
-    /// Files that `#fopen` opened, by the numbers in [`evaluator::Slot::File`].
+    /// Files that `#fopen` opened, by the numbers in [`evaluator::Contents::File`].
     open_files: Vec<directive::OpenFile>,
     /// Number of bytes that the scene's `#write` directives have written.
     written: u64,
@@ -199,7 +199,7 @@ impl<'a> Interpreter<'a> {
         // Faults at the end of the text are reported at the file's last offset.
         let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
         self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
-        self.split_rest_if_old();
+        self.retokenize_unread_if_old_version();
         if let Some(header) = &self.inputs.options.header
             && let Err(fault) = self.include(header, Span::NONE, Span::NONE)
         {
@@ -269,12 +269,12 @@ impl<'a> Interpreter<'a> {
     fn set_version(&mut self, version: u32) {
         self.builder.set_version(version);
         self.evaluator.set_version(version);
-        self.split_rest_if_old();
+        self.retokenize_unread_if_old_version();
     }
 
-    /// Splits the rest of the file into tokens if operators are allowed only inside parentheses: the syntax tree has
-    /// `<1 -2 3>` as a vector of two numbers.
-    fn split_rest_if_old(&mut self) {
+    /// Splits the unread part of the file into tokens if the language version is so old that operators are allowed only
+    /// inside parentheses: the syntax tree has `<1 -2 3>` as a vector of two numbers.
+    fn retokenize_unread_if_old_version(&mut self) {
         if !self.builder.language().bare_operators {
             self.stream.retokenize_unread();
         }

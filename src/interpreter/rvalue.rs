@@ -2,7 +2,7 @@
 
 use super::Interpreter;
 use super::array::empty_dictionary;
-use super::evaluator::Slot;
+use super::evaluator::Contents;
 use super::evaluator::is_callable;
 use super::reader::TransformThing;
 use super::reporter::hints;
@@ -21,17 +21,19 @@ use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
     /// Reads a complete value. Directives and macros after the value do not run yet.
-    pub(super) fn read_rvalue(&mut self) -> Result<Slot<'a>> {
-        self.in_mode(|mode| mode.defers = true, Self::read_deferring_rvalue)
+    pub(super) fn read_rvalue(&mut self) -> Result<Contents<'a>> {
+        self.in_mode(|mode| mode.defers_directives = true, Self::read_deferring_rvalue)
     }
 
-    fn read_deferring_rvalue(&mut self) -> Result<Slot<'a>> {
+    fn read_deferring_rvalue(&mut self) -> Result<Contents<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
-                if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.evaluator.scopes().get(*symbol) {
-                    let slot = slot.clone();
+                if let Some(contents @ (Contents::Faulty(_) | Contents::Array(_))) =
+                    self.evaluator.scopes().get(*symbol)
+                {
+                    let contents = contents.clone();
                     self.stream.advance();
-                    return Ok(slot);
+                    return Ok(contents);
                 }
                 // An empty dictionary (3.8).
                 if self.inputs.names.text(*symbol) == "dictionary" && !self.evaluator.is_declared(*symbol) {
@@ -43,20 +45,20 @@ impl<'a> Interpreter<'a> {
                 self.stream.advance();
                 match is_callable(&value) {
                     true => self.read_call_or_value(value, *span),
-                    false if whole => Ok(Slot::Value(value)),
+                    false if whole => Ok(Contents::Value(value)),
                     false => self.read_rest_of_value(value, *span),
                 }
             }
-            Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
+            Token::Function(_) => Ok(Contents::Value(Value::Thing(self.read_function()?))),
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
-                self.read_expression_slot()
+                self.read_expression_as_contents()
             }
-            Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => self.read_expression_slot(),
+            Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => self.read_expression_as_contents(),
             Token::Element(span) => {
-                let slot = self.take_array_element()?;
-                match slot {
-                    Slot::Value(value) => self.read_rest_of_value(value, span),
-                    slot => Ok(slot),
+                let contents = self.take_array_element()?;
+                match contents {
+                    Contents::Value(value) => self.read_rest_of_value(value, span),
+                    contents => Ok(contents),
                 }
             }
             Token::Word("array") => self.read_array(),
@@ -64,30 +66,30 @@ impl<'a> Interpreter<'a> {
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.read_dictionary()
             }
-            Token::Word(_) if self.may_be_at_color()? => self.read_expression_slot(),
+            Token::Word(_) if self.may_be_at_color()? => self.read_expression_as_contents(),
             _ => match Reader::peek_next(self)? {
-                Next::Block(word) => self.read_declarable_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
+                Next::Block(word) => self.read_declarable_block(word).map(|thing| Contents::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
             },
         }
     }
 
     /// Reads an expression of the scene, and returns its value as the contents of a variable.
-    fn read_expression_slot(&mut self) -> Result<Slot<'a>> {
-        self.read_value().map(|(value, _)| Slot::Value(value))
+    fn read_expression_as_contents(&mut self) -> Result<Contents<'a>> {
+        self.read_value().map(|(value, _)| Contents::Value(value))
     }
 
     /// Returns the function or spline `value` itself, or reads its call if a `(` follows its name.
-    fn read_call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
-        if self.call_follows()? { self.read_rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
+    fn read_call_or_value(&mut self, value: Value, span: Span) -> Result<Contents<'a>> {
+        if self.call_follows()? { self.read_rest_of_value(value, span) } else { Ok(Contents::Value(value)) }
     }
 
     /// Reads the rest of a value whose first operand was read.
-    fn read_rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+    fn read_rest_of_value(&mut self, value: Value, span: Span) -> Result<Contents<'a>> {
         if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
-            return Ok(Slot::Value(value));
+            return Ok(Contents::Value(value));
         }
-        self.continue_value(value, span).map(|(value, _)| Slot::Value(value))
+        self.continue_value(value, span).map(|(value, _)| Contents::Value(value))
     }
 
     /// Reads a block that can be declared, such as `texture { … }`.

@@ -113,7 +113,7 @@ impl Interior {
         loop {
             match r.peek_next()? {
                 Next::End => return Ok(out),
-                Next::Thing(_) => match r.thing::<Interior>()? {
+                Next::Thing(_) => match r.take_declared::<Interior>()? {
                     Some(declared) => out = (*declared).clone(),
                     None => return Err(r.unknown_word_in(&INTERIOR)),
                 },
@@ -153,8 +153,9 @@ impl Interior {
         self.ior * fp::pow(self.dispersion, red_to_violet - 0.5)
     }
 
-    /// Returns the transmittance over a distance inside the shape, in world units (manual, "Attenuation").
-    pub fn transmittance_over(&self, distance: f64) -> Rgb {
+    /// Returns the transmittance by `fade_distance`, `fade_power` and `fade_color` over a distance inside the shape, in
+    /// world units; media do not count (manual, "Attenuation").
+    pub fn fade_transmittance(&self, distance: f64) -> Rgb {
         if self.fade_distance <= 0.0 {
             return Rgb::ONE;
         }
@@ -201,7 +202,7 @@ mod tests {
     #[test]
     fn attenuation_by_distance_and_power() {
         let one = |fade_distance, fade_power| {
-            Interior { fade_distance, fade_power, ..Interior::default() }.transmittance_over(2.0).x
+            Interior { fade_distance, fade_power, ..Interior::default() }.fade_transmittance(2.0).x
         };
         let values = [one(0.0, 2.0), one(1.0, 1.0), one(0.5, 2.0), one(1.0, 0.0), one(1.0, 1000.0)];
         for (found, wanted) in values.into_iter().zip([1.0, 1.0 / 3.0, 1.0 / 17.0, 0.5, fp::exp(-2.0f64)]) {
@@ -209,6 +210,6 @@ mod tests {
         }
         let fade_color = Rgb::new(0.2, 0.5, 1.0);
         let colored = Interior { fade_distance: 1.0, fade_power: 1.0, fade_color, ..Interior::default() };
-        assert!(colored.transmittance_over(2.0).distance(Rgb::new(7.0 / 15.0, 2.0 / 3.0, 1.0)) < 1e-12);
+        assert!(colored.fade_transmittance(2.0).distance(Rgb::new(7.0 / 15.0, 2.0 / 3.0, 1.0)) < 1e-12);
     }
 }

@@ -157,7 +157,7 @@ impl Media {
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
-        let mut media = match r.thing::<Media>()? {
+        let mut media = match r.take_declared::<Media>()? {
             Some(declared) => (*declared).clone(),
             None => Self {
                 absorption: Rgb::ZERO,

@@ -2,16 +2,17 @@
 
 use crate::math::{Aabb, DVec3, fp};
 
-/// Region around the origin, at most one unit away, outside of which a pattern's number is 0.
+/// Region outside of which a pattern's number is 0: a ball, cube, infinite cylinder or infinite slab around the origin,
+/// of radius or half-width 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Support {
     /// Ball of radius 1.
     Ball,
-    /// Cube from -1 to 1.
+    /// Cube from -1 to 1 along each axis.
     Cube,
     /// Infinite cylinder of radius 1 around the y axis.
     Cylinder,
-    /// Points whose y is between -1 and 1.
+    /// Infinite slab of the points whose y is between -1 and 1.
     Slab,
 }
 

@@ -20,7 +20,7 @@ mod workers;
 
 pub use output::OutputConversion;
 pub use pick::pick;
-pub use prepare::{photon_and_radiosity_digests, prepare_light};
+pub use prepare::{compute_and_save_light, photon_and_radiosity_digests};
 pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
 #[doc(hidden)]
 pub use simulation::simulated_busy_share;

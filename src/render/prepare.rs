@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// The camera of a frame, prepared for a picture of one size.
 pub(super) struct FrameCamera {
     pub view: View,
-    /// Lens of a camera with focal blur.
+    /// Lens of a camera with focal blur; `None` for a pinhole.
     pub lens: Option<Lens>,
     /// Unit vectors right, up and ahead, in world space.
     pub axes: [DVec3; 3],
@@ -122,12 +122,12 @@ pub fn photon_and_radiosity_digests(world: &World, options: &Options) -> [Digest
     [world.photon_digest(&scene, &options), world.radiosity_digest(&scene, &options)]
 }
 
-/// Computes the photons and radiosity samples of a picture, and passes those with a [`SaveFile`] to
-/// [`Watch::save_light`](super::Watch::save_light).
+/// Computes the photons and radiosity samples of a picture, passes those with a [`SaveFile`] to
+/// [`Watch::save_light`](super::Watch::save_light), and drops the rest: the World is unchanged.
 ///
 /// # Errors
 /// [`Cancelled`] if `watch` cancels the work.
-pub fn prepare_light(world: &World, options: &Options, watch: &dyn Watch) -> Result<(), Cancelled> {
+pub fn compute_and_save_light(world: &World, options: &Options, watch: &dyn Watch) -> Result<(), Cancelled> {
     let camera = FrameCamera::new(&world.eye, options.width, options.height);
     prepare(world, &camera, options, &Workers::new(options.threads, watch)).map(drop)
 }

@@ -10,9 +10,10 @@ use std::path::{Path, PathBuf};
 /// save to, as stated in a block of `global_settings` or by an option.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SavedLight {
-    /// Photons or radiosity samples that were loaded from a file, and are used in place of computed ones.
+    /// Photons or radiosity samples that were loaded from a file, and are used in place of computed ones; `None` if
+    /// they are computed.
     pub loaded: Option<LoadedLight>,
-    /// File that the computed photons or radiosity samples are saved to.
+    /// File that the computed photons or radiosity samples are saved to; `None` if they are not saved.
     pub save: Option<SaveFile>,
 }
 
@@ -21,9 +22,9 @@ pub struct SavedLight {
 pub struct LoadedLight {
     /// Photons or radiosity samples of the loaded file.
     pub file: LightFile,
-    /// Name of the file in the scene.
+    /// Name of the file in the scene or on the command line, or path of the render journal that stored the light.
     pub name: String,
-    /// Span of the name in the scene; [`Span::NONE`] for a name on the command line.
+    /// Span of the file's name in the scene; [`Span::NONE`] if the scene does not name the file.
     pub source: Span,
 }
 
@@ -34,7 +35,7 @@ pub struct SaveFile {
     pub kind: LightKind,
     /// Path of the file that the photons or radiosity samples are saved to.
     pub path: PathBuf,
-    /// Span of the name in the scene; [`Span::NONE`] for a name on the command line.
+    /// Span of the file's name in the scene; [`Span::NONE`] if the scene does not name the file.
     pub source: Span,
 }
 

@@ -58,7 +58,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
                 // Most textures have one block.
                 if layers.is_empty() { layers = read } else { layers.extend(read) }
             }
-            Next::Thing("texture") => match r.thing::<Texture>()? {
+            Next::Thing("texture") => match r.take_declared::<Texture>()? {
                 Some(texture) => layers.extend(texture.layers.iter().cloned()),
                 None => break,
             },
@@ -104,7 +104,7 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<A
         match r.peek_next()? {
             Next::End => return Ok(out),
             Next::Thing("material") => {
-                if let Some(declared) = r.thing::<Material>()? {
+                if let Some(declared) = r.take_declared::<Material>()? {
                     out = Material { interior: declared.interior.clone().or(out.interior), ..(*declared).clone() };
                 }
             }
@@ -123,7 +123,7 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<A
                 out.interior = Some(Arc::new(Interior::read(r, out.interior.as_deref())?));
                 r.leave_block()?;
             }
-            Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
+            Next::Thing("interior") => out.interior = r.take_declared::<Interior>()?,
             next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     for texture in [&mut out.texture, &mut out.interior_texture].into_iter().flatten() {

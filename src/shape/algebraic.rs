@@ -273,7 +273,7 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
         Ok(Self::new(order, coefficients))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         *self = Self::new(self.order, std::mem::take(&mut self.coefficients));
         if self.rows.iter().all(|row| row.i + row.j == 0 && row.c.len() == 1) {
             let message =

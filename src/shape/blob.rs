@@ -244,7 +244,7 @@ impl Readable for Blob {
         Ok(true)
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         self.build_hierarchy();
         if self.bounds.is_empty() {
             r.report(Diagnostic::new(

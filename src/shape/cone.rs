@@ -58,7 +58,7 @@ impl Readable for Cone {
         Ok(Self::new(base, base_radius, cap, cap_radius, false))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.0.is_empty() {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `cone` whose larger radius is 0 has no surface"));
         }

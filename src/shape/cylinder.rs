@@ -52,7 +52,7 @@ impl Readable for Cylinder {
         Ok(Self::new(base, cap, radius, false))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.0.is_empty() {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `cylinder` of radius 0 has no surface"));
         }

@@ -62,7 +62,7 @@ impl Readable for Disc {
         Ok(Self::new(center, normal, radius, hole))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let why = match () {
             () if self.normal == DVec3::ZERO => "whose normal is zero",
             () if self.is_empty() => "whose hole is as large as itself",

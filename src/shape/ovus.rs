@@ -132,7 +132,7 @@ impl Readable for Ovus {
         Ok(Self::new(bottom, top))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.bottom == 0.0 && self.top == 0.0 {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, "an `ovus` with both radii 0 has no surface"));
         }

@@ -152,7 +152,7 @@ impl Readable for Polygon {
         Ok(Self::new(&points))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.unclosed {
             let message = "the last outline of this `polygon` is not closed; it is closed now";
             let help = "repeat the first point of the outline at its end, and count it";

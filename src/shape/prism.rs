@@ -206,7 +206,7 @@ impl Readable for Prism {
         Ok(prism)
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.unclosed {
             warn_of_unclosed_outline("prism", self.interpolation, span, r);
         }

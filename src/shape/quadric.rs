@@ -144,7 +144,7 @@ impl Readable for Quadric {
         Ok(Self::new(squares, mixed, linear, constant))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let constant = [self.squares, self.mixed, self.linear].iter().all(|v| *v == DVec3::ZERO);
         if constant || self.centered.ends.is_some_and(|b| b.is_empty()) {
             let message = "a `quadric` with these numbers has no surface: the sum is nowhere 0";

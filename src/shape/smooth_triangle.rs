@@ -67,7 +67,7 @@ impl Readable for SmoothTriangle {
         Ok(Self::new(Triangle::new(a, b, c), [na, nb, nc]))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.flat.is_degenerate() {
             let message = "this `smooth_triangle` has no area and is left out";
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, message));

@@ -39,7 +39,7 @@ impl Readable for Sphere {
         Ok(Self { center, radius })
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.radius == 0.0 {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `sphere` of radius 0 has no surface"));
         }

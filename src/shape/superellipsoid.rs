@@ -354,7 +354,7 @@ impl Readable for Superellipsoid {
         Ok(Self { e: both.x, n: both.y })
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.is_empty() {
             let message = format!("a `superellipsoid` with the exponents {} and {} has no surface", self.e, self.n);
             r.report(Diagnostic::new(codes::NO_SURFACE, span, message).help("neither should be negative; 1 is round"));

@@ -163,7 +163,7 @@ impl Readable for Torus {
         Ok(Self { major, minor })
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.is_empty() {
             let message = format!("a `torus` with radii {} and {} has no surface", self.major, self.minor);
             r.report(Diagnostic::new(codes::NO_SURFACE, span, message).help("both radii should be positive"));

@@ -71,10 +71,10 @@ impl Triangle {
         DVec3::new(l1, l2, 1.0 - l1 - l2)
     }
 
-    /// Returns the triangle with its last two corners in the order by which its outside, once it is transformed by M, is
+    /// Returns the triangle with its last two corners swapped, if needed, so that its outside after the transform M is
     /// that of POV-Ray: towards -x, +y or -z, whichever axis is closest to the normal in object space (quirk:
     /// `flat_triangle_sides`).
-    fn with_pov_outside_under(&self, m: &Transform) -> Self {
+    fn reordered_for_pov_outside(&self, m: &Transform) -> Self {
         let normal = self.face_normal();
         let axis = normal.abs().max_position();
         let is_outward = normal[axis] * [-1.0, 1.0, -1.0][axis] > 0.0;
@@ -108,7 +108,7 @@ impl Readable for Triangle {
         Ok(Self::new(a, b, c))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
@@ -143,7 +143,7 @@ impl Kernel for Triangle {
     }
 
     fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
-        let ordered = self.with_pov_outside_under(m);
+        let ordered = self.reordered_for_pov_outside(m);
         (!m.is_identity() && ordered != *self).then(|| ordered.into())
     }
 

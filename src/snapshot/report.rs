@@ -11,15 +11,15 @@ pub struct Entry<'a> {
     pub name: String,
     /// True if the rendered picture agrees with its snapshot.
     pub fine: bool,
-    /// Path of the scene's snapshot.
+    /// Path of the snapshot: the expected picture of the scene.
     pub snapshot: String,
     /// Result of the snapshot test as text.
     pub text: String,
-    /// The command that accepts the rendered picture as the snapshot.
+    /// The command that accepts the rendered picture as the snapshot; `None` if it agrees, or none was rendered.
     pub accept: Option<String>,
-    /// Snapshot that the rendered picture is compared with.
+    /// Expected picture, with which the rendered picture is compared; `None` without a snapshot or a rendered picture.
     pub expected: Option<&'a Frame>,
-    /// Picture that the test rendered of the scene.
+    /// Picture that the test rendered of the scene; `None` if the scene could not be rendered.
     pub rendered: Option<&'a Frame>,
 }
 

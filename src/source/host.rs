@@ -1,9 +1,9 @@
-//! Clock and memory meter of the machine, given by the caller.
+//! Clocks and memory meter of the machine, given by the caller.
 
 use std::fmt::Debug;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// Services of the machine on which a run takes place, beside its [`Files`](super::Files).
+/// Clocks and memory meter of the machine on which a run takes place; file access is in [`Files`](super::Files).
 pub trait Host: Debug + Send + Sync {
     /// Returns the time since a fixed moment, which the host chooses: only differences have a meaning.
     fn monotonic_time(&self) -> Duration;

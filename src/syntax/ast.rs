@@ -125,12 +125,13 @@ pub struct Block {
     pub body: Box<[Element]>,
 }
 
-/// A word before a brace: a keyword, or an unknown word (an error that is reported when the run reaches it).
+/// A block's name before `{`, or the name after a `.`, as in `A.x`: a keyword, or another word (before `{` an error
+/// that is reported when the run reaches it).
 #[derive(Clone, Copy, Debug)]
 pub struct Name {
     /// Keyword that the name is; `None` for a word that is not in the scene language.
     pub word: Option<&'static str>,
-    /// Span of the word that names a block or member.
+    /// Span of the word: a block's name before `{`, or the name after a `.`, as in `A.x`.
     pub span: Span,
 }
 
@@ -207,7 +208,7 @@ pub enum ExprKind {
     Index(Box<Expr>, Box<[Expr]>),
     /// Expression that calls an element of an array: `A[i](x)`.
     Apply(Box<Expr>, Box<[Element]>),
-    /// Expression that accesses a member: `A.x`.
+    /// Expression that accesses a component `V.x`, an element `D.Key` of a dictionary, or `local.A`.
     Dot(Box<Expr>, Name, Symbol),
     /// A function definition as an argument of an expression.
     Function(Box<Function>),
@@ -272,7 +273,7 @@ impl Operator {
         if self == Operator::And { 2 } else { self.precedence() }
     }
 
-    /// Returns the binary operator with the spelling `text`.
+    /// Returns the binary operator with the spelling `text`; `None` for any other text.
     pub fn from_text(text: &str) -> Option<Self> {
         use Operator::*;
         let all = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
@@ -360,7 +361,8 @@ pub enum Head {
 pub struct Declare {
     /// True for `#local`, false for `#declare`.
     pub local: bool,
-    /// Message of `deprecated "why"` in a declaration. The flag is true for `deprecated once`.
+    /// Message of `deprecated "why"` in a declaration; `None` without `deprecated`. The flag is true for `deprecated
+    /// once`.
     pub deprecated: Option<(bool, Box<str>)>,
     /// Name that the declaration assigns to, with its indices and its span.
     pub target: Target,
@@ -375,7 +377,7 @@ pub struct Target {
     pub symbol: Symbol,
     /// Span of the declared name, without its indices.
     pub span: Span,
-    /// Keyword that stands where the name should be, which is an error once the directive runs.
+    /// Keyword in place of the name, which is an error once the directive runs; `None` for a proper name.
     pub keyword: Option<&'static str>,
     /// Indices `[i][j]` after the declared name.
     pub indices: Box<[Expr]>,
@@ -453,7 +455,8 @@ pub struct Macro {
     pub name: Symbol,
     /// Span of the macro's name.
     pub span: Span,
-    /// Span of a fault between `#macro` and its body, which is an error once the directive runs.
+    /// Span of a fault between `#macro` and its body, which is an error once the directive runs; `None` without a
+    /// fault.
     pub fault: Option<Span>,
     /// Names of the macro's parameters. The flag is true for an `optional` parameter.
     pub parameters: Box<[(Symbol, bool)]>,

@@ -83,7 +83,7 @@ where
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, numbers_are_weights: bool) -> Result<Self> {
-        if let Some(map) = r.thing::<Self>()? {
+        if let Some(map) = r.take_declared::<Self>()? {
             return Ok((*map).clone());
         }
         let span = r.span();

@@ -69,7 +69,7 @@ impl ColorMap {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        if let Some(map) = r.thing::<ColorMap>()? {
+        if let Some(map) = r.take_declared::<ColorMap>()? {
             return Ok((*map).clone());
         }
         let span = r.span();

@@ -43,7 +43,7 @@ impl Density {
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let defaults = Texture::default();
-        let mut pigment = r.thing::<Density>()?.map_or_else(Pigment::default, |declared| declared.0.clone());
+        let mut pigment = r.take_declared::<Density>()?.map_or_else(Pigment::default, |declared| declared.0.clone());
         loop {
             match r.peek_next()? {
                 Next::End => break,
@@ -92,7 +92,7 @@ impl Entry for Density {
 
     /// Reads a declared density, or a colour, which is a density too.
     fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
-        Ok(match r.thing::<Density>()? {
+        Ok(match r.take_declared::<Density>()? {
             Some(density) => Some((*density).clone()),
             None if r.may_be_at_color()? => Some(Self(Pigment::solid(r.color()?))),
             None => None,

@@ -154,7 +154,7 @@ impl Finish {
         loop {
             match r.peek_next()? {
                 Next::End => return Ok(f),
-                Next::Thing(_) => match r.thing::<Finish>()? {
+                Next::Thing(_) => match r.take_declared::<Finish>()? {
                     Some(declared) => f = declared.with_albedo_folded_in(),
                     None => return Err(r.unknown_word_in(&FINISH)),
                 },

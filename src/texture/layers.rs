@@ -85,7 +85,7 @@ impl Texture {
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut draft = Draft { uv: read_uv_mapping(r)?.unwrap_or(false), ..Draft::default() };
-        let declared = if r.peek_next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
+        let declared = if r.peek_next()? == Next::Thing("texture") { r.take_declared::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
         loop {
             match r.peek_next()? {
@@ -189,15 +189,15 @@ impl Texture {
                 layer.normal = Some(Arc::new(Normal::read(r, layer.normal.as_deref(), base)?));
                 r.leave_block()?;
             }
-            Next::Thing("normal") => match r.thing::<Normal>()? {
+            Next::Thing("normal") => match r.take_declared::<Normal>()? {
                 Some(normal) => layer.normal = Some(normal),
                 None => return Ok(false),
             },
-            Next::Thing("pigment") => match r.thing::<Pigment>()? {
+            Next::Thing("pigment") => match r.take_declared::<Pigment>()? {
                 Some(pigment) => layer.pigment = (*pigment).clone(),
                 None => return Ok(false),
             },
-            Next::Thing("finish") => match r.thing::<Finish>()? {
+            Next::Thing("finish") => match r.take_declared::<Finish>()? {
                 Some(finish) => layer.finish = finish,
                 None => return Ok(false),
             },
@@ -286,7 +286,7 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
                 list.push(Texture::read(r, base)?);
                 r.leave_block()?;
             }
-            _ => match r.thing::<Texture>()? {
+            _ => match r.take_declared::<Texture>()? {
                 Some(texture) => list.push((*texture).clone()),
                 None => return Err(r.unknown_word("tiles", &["texture", "tile2"]).into()),
             },
@@ -310,7 +310,7 @@ fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) 
                 list.push(Texture::read(r, base)?);
                 r.leave_block()?;
             }
-            Next::Thing("texture") => list.extend(r.thing::<Texture>()?.map(|texture| (*texture).clone())),
+            Next::Thing("texture") => list.extend(r.take_declared::<Texture>()?.map(|texture| (*texture).clone())),
             Next::End if !list.is_empty() => break,
             _ => return Err(r.unexpected("`texture`").into()),
         }
@@ -343,6 +343,6 @@ impl Entry for Texture {
     }
 
     fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
-        Ok(r.thing::<Texture>()?.map(|texture| (*texture).clone()))
+        Ok(r.take_declared::<Texture>()?.map(|texture| (*texture).clone()))
     }
 }

@@ -78,7 +78,7 @@ impl Normal {
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
-        let begun = match r.thing::<Normal>()? {
+        let begun = match r.take_declared::<Normal>()? {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
         };
@@ -92,7 +92,7 @@ impl Normal {
                 next => out.read_element(r, next, defaults)?,
             }
         }
-        out = out.unwrap_if_still_wrapped();
+        out = out.unwrap_uv_mapped();
         out.pattern.separate_uv_space();
         Ok(out)
     }
@@ -110,9 +110,9 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::wrap_if_uv_mapped`] for a normal if no other pattern or map was named. (Other parameters of the
-    /// surface have no effect.)
-    fn unwrap_if_still_wrapped(self) -> Self {
+    /// Removes the one-entry map that [`Self::wrap_if_uv_mapped`] added, if no other pattern or map was named for the
+    /// normal. (Other parameters of the surface have no effect.)
+    fn unwrap_uv_mapped(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
@@ -218,7 +218,7 @@ impl Entry for Normal {
     }
 
     fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
-        Ok(r.thing::<Normal>()?.map(|normal| (*normal).clone()))
+        Ok(r.take_declared::<Normal>()?.map(|normal| (*normal).clone()))
     }
 }
 

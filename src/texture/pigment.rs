@@ -33,7 +33,7 @@ pub struct Pigment {
     pub pattern: SharedDefault<Pattern>,
     /// Source of the pigment's colour.
     pub paint: Paint,
-    /// Colour of the pigment at quality 5 and below, from `quick_color`.
+    /// Colour of the pigment at quality 5 and below, from `quick_color`; `None` for the usual colours.
     pub quick_color: Option<Box<Color>>,
 }
 
@@ -63,7 +63,7 @@ impl Pigment {
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Pigment, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
-        let declared = r.thing::<Pigment>()?;
+        let declared = r.take_declared::<Pigment>()?;
         let mut after_name = declared.is_some();
         let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone()).wrap_if_uv_mapped();
         if let Some(on) = uv {
@@ -82,7 +82,7 @@ impl Pigment {
             // `uv_mapping` too (quirk: uv_mapping_pigments).
             pigment.quick_color = base.quick_color.clone();
         }
-        pigment = pigment.unwrap_if_still_wrapped();
+        pigment = pigment.unwrap_uv_mapped();
         pigment.set_default_colors();
         // (A default pattern takes no memory.)
         if pigment.pattern.uv {
@@ -107,8 +107,9 @@ impl Pigment {
         }
     }
 
-    /// Undoes [`Self::wrap_if_uv_mapped`] for a pigment if no other pattern or map was named.
-    fn unwrap_if_still_wrapped(self) -> Self {
+    /// Removes the one-entry map that [`Self::wrap_if_uv_mapped`] added, if no other pattern or map was named for the
+    /// pigment.
+    fn unwrap_uv_mapped(self) -> Self {
         match &self.paint {
             Paint::Pigments(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
@@ -179,7 +180,7 @@ impl Pigment {
                 r.leave_block()
             }
             Next::Thing("color_map") => {
-                if let Some(map) = r.thing::<ColorMap>()? {
+                if let Some(map) = r.take_declared::<ColorMap>()? {
                     self.paint = Paint::Colors(map);
                 }
                 Ok(())
@@ -226,7 +227,8 @@ impl Pigment {
         }
     }
 
-    /// Returns the pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
+    /// Returns the pigment at low quality, in which `quick_color` replaces the pigment or those nested in it; `None` if
+    /// no `quick_color` is stated.
     pub fn low_quality_replacement(&self) -> Option<Pigment> {
         if let Some(color) = &self.quick_color {
             return Some(Self::solid(**color));
@@ -239,7 +241,7 @@ impl Pigment {
         Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
     }
 
-    /// Returns the pigment's colour, if it is constant.
+    /// Returns the pigment's constant colour; `None` if a map, a picture or other pigments give the colour.
     pub fn as_solid(&self) -> Option<Color> {
         match &self.paint {
             Paint::Solid(color) => Some(*color),
@@ -317,9 +319,9 @@ impl Entry for Pigment {
         Self::read(r, &defaults.layers[0].pigment, defaults)
     }
 
-    /// Reads a declared pigment, or a colour, which is a pigment too.
+    /// Reads a declared pigment, or a colour, which is a pigment too; `None` if neither comes next.
     fn read_declared_or_color(r: &mut dyn Reader) -> Result<Option<Self>> {
-        Ok(match r.thing::<Pigment>()? {
+        Ok(match r.take_declared::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),
             None if r.may_be_at_color()? => Some(Self::solid(r.color()?)),
             None => None,

@@ -168,17 +168,17 @@ impl<'w> Tracer<'w> {
         self.context.quality.atmosphere && !self.context.world.media.is_empty()
     }
 
-    /// Returns the transmittance of an interior over the segment at whose end the ray leaves it. The transmittance
-    /// applies to light from beyond that surface, not to light of the surface itself (quirk:
+    /// Returns the transmittance of an interior, without its media, over the segment at whose end the ray leaves it.
+    /// The transmittance applies to light from beyond that surface, not to light of the surface itself (quirk:
     /// `attenuation_beyond_surface`).
     pub(super) fn interior_transmittance(&self, interior: u32, length: f64) -> Rgb {
-        self.context.world.interiors[interior as usize].transmittance_over(length)
+        self.context.world.interiors[interior as usize].fade_transmittance(length)
     }
 
-    /// Returns the transmittance of an interior for a shadow ray, which a `fade_power` of 0 does not attenuate (quirk:
-    /// `fade_power_0_shadow`).
+    /// Returns the transmittance of an interior, without its media, for a shadow ray, which a `fade_power` of 0 does
+    /// not attenuate (quirk: `fade_power_0_shadow`).
     pub(super) fn shadow_interior_transmittance(&self, interior: u32, length: f64) -> Rgb {
         let interior = &self.context.world.interiors[interior as usize];
-        if interior.fade_power > 0.0 { interior.transmittance_over(length) } else { Rgb::ONE }
+        if interior.fade_power > 0.0 { interior.fade_transmittance(length) } else { Rgb::ONE }
     }
 }

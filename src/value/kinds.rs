@@ -43,7 +43,7 @@ impl From<DVec3> for VecN {
 }
 
 /// A thing built from a block of the scene language: a texture, an object, a camera. Its type belongs to a module of a
-/// higher layer, so values hold it as a trait object; [`crate::value::ReaderExt::thing`] recovers the type.
+/// higher layer, so values hold it as a trait object; [`crate::value::ReaderExt::take_declared`] recovers the type.
 pub trait Thing: Any + Send + Sync + std::fmt::Debug {
     /// Returns the word of the thing's block, such as `texture` or `object`.
     fn kind(&self) -> &'static str;

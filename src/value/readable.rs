@@ -27,8 +27,8 @@ pub trait Readable: Sized + 'static {
         Self::read(r)
     }
 
-    /// Reads the positional parameters, if `next` names the block. The name has been consumed, with the opening brace
-    /// of a `Next::Block`.
+    /// Reads the positional parameters; `None` if `next` does not name the block. The name has been consumed, with the
+    /// opening brace of a `Next::Block`.
     fn read_params(next: Next, r: &mut dyn Reader) -> Option<Result<Self>> {
         match next {
             Next::Word(name) if name == Self::SPEC.name => Some(Self::read(r)),
@@ -45,12 +45,12 @@ pub trait Readable: Sized + 'static {
         read_row(Self::WORDS, self, next, r)
     }
 
-    /// Checks the complete block of a shape or warp; `span` is the block's name. Patterns have no end of their own: their
-    /// words may follow anywhere in the block around them.
+    /// Completes a shape or warp after the last item of its block, and checks it; `span` is the block's name. Warnings
+    /// are reported to `r`. Not called for patterns, whose words may follow anywhere in the block around them.
     ///
     /// # Errors
     /// A diagnostic for a block that is complete but invalid.
-    fn finish(&mut self, _span: Span, _r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, _span: Span, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
     }
 }

@@ -60,7 +60,7 @@ pub struct Language {
     pub ordered_cameras: bool,
     /// True if operators are allowed outside of parentheses.
     pub bare_operators: bool,
-    /// Value of `assumed_gamma`, once `global_settings` has set it.
+    /// Value of `assumed_gamma`; `None` before `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
     /// Working gamma of scenes without `assumed_gamma`.
     pub other_gamma: Gamma,
@@ -146,7 +146,8 @@ pub trait Reader {
     fn float_or_color(&mut self) -> Result<FloatOrColor>;
     /// True if a colour can come next: one of its words, or an expression.
     fn may_be_at_color(&mut self) -> Result<bool>;
-    /// Reads one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform, if one comes next.
+    /// Reads one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform; `None` if another
+    /// token comes next.
     ///
     /// Boxed, because a transform is large and mostly passed on.
     fn transform(&mut self) -> Result<Option<Box<Transform>>>;
@@ -187,8 +188,12 @@ pub trait Reader {
 pub trait ReaderExt: Reader {
     /// Consumes the scene's next word if it equals `word`; returns true if so.
     fn accept(&mut self, word: &str) -> Result<bool>;
-    /// Consumes a declared thing of type `T`, if a declared thing comes next; one of another type is an error.
-    fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
+    /// Consumes a declared thing of type `T`, such as the name of a pigment, and returns it; `None` if no declared
+    /// thing comes next, also for a block such as `pigment { … }`.
+    ///
+    /// # Errors
+    /// E0200 for a declared thing of another type.
+    fn take_declared<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
     /// Returns the error for the next word, which the block does not take; see [`Reader::unknown_word`].
     fn unknown_word_in(&mut self, block: &Spec) -> Fault;
 }
@@ -201,7 +206,7 @@ impl<R: Reader + ?Sized> ReaderExt for R {
         }
     }
 
-    fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
+    fn take_declared<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
         if !matches!(self.peek_next()?, Next::Thing(_)) {
             return Ok(None);
         }

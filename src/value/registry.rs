@@ -17,8 +17,8 @@ pub trait Family: Sized {
     /// Description of this member's block.
     fn spec(&self) -> &'static Spec;
 
-    /// Reads the positional parameters of the member that `next` names, if any does. The name has been consumed, with
-    /// the opening brace of a `Next::Block`.
+    /// Reads the positional parameters of the member that `next` names; `None` if it names no member. The name has been
+    /// consumed, with the opening brace of a `Next::Block`.
     fn read_params(next: Next, r: &mut dyn Reader) -> Option<Result<Self>>;
 
     /// Reads one of the member's own words and its value, if it is next; returns false otherwise.
@@ -27,13 +27,14 @@ pub trait Family: Sized {
     /// A diagnostic at the first item that is not understood.
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
-    /// Checks the member's complete block; `span` is the block's name.
+    /// Completes the member after the last item of its block, and checks it; `span` is the block's name. Warnings are
+    /// reported to `r`.
     ///
     /// # Errors
     /// A diagnostic for a block that is complete but invalid.
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()>;
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()>;
 
-    /// Returns the description of the family's member with this name.
+    /// Returns the description of the family's member with this name; `None` if no member has the name.
     fn spec_of(name: &str) -> Option<&'static Spec> {
         Self::SPECS.iter().find(|spec| spec.name == name).copied()
     }
@@ -43,7 +44,7 @@ pub trait Family: Sized {
         Self::spec_of(name).is_some()
     }
 
-    /// Reads the name and the positional parameters of a member, if `next` names one.
+    /// Reads the name and the positional parameters of the member that `next` names; `None` if it names no member.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -78,7 +79,7 @@ impl<T: Clone> Stored<T> for Arc<T> {
 
 /// Defines the enum of a family from the types of its members, with [`Family`] and `From` for it. A macro with the
 /// enum's name evaluates an expression for a member of any type: `Shape!(self, member => member.bounds())`, and for a
-/// member that is changed `Shape!(mut self, member => member.finish(span, r))`.
+/// member that is changed `Shape!(mut self, member => member.complete_and_check(span, r))`.
 macro_rules! family {
     ($(#[$doc:meta])* pub enum $enum:ident { $($name:ident)* }) => {
         family! { @ $(#[$doc])* $enum { $($name($name in $name))* } }
@@ -132,12 +133,12 @@ macro_rules! family {
                 $enum!(mut self, member => $crate::value::Readable::read_own(member, next, r))
             }
 
-            fn finish(
+            fn complete_and_check(
                 &mut self,
                 span: $crate::source::Span,
                 r: &mut dyn $crate::value::Reader,
             ) -> $crate::diagnostic::Result<()> {
-                $enum!(mut self, member => $crate::value::Readable::finish(member, span, r))
+                $enum!(mut self, member => $crate::value::Readable::complete_and_check(member, span, r))
             }
         }
 

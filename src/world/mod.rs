@@ -123,7 +123,7 @@ pub struct World {
 pub struct Part {
     /// Material of the shape's outer side, with the transform of its texture space.
     pub outside: PlacedMaterial,
-    /// Properties that only few shapes have.
+    /// Properties that only few shapes have; `None` for a shape with none of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncommon: Option<Box<UncommonPart>>,
     /// Index of the shape's interior in [`World::interiors`].
@@ -136,7 +136,8 @@ pub struct Part {
     /// True if the shape stores photons and shows their light (no `collect off`).
     #[serde(skip)]
     pub collects_photons: bool,
-    /// `no_shadow` of the shape or of a block around it. The object that contains the shape can still cast its shadow.
+    /// `no_shadow` of the shape or of a block around it. Only [`World::scene_digest`] uses it: shadows depend on
+    /// [`ObjectInfo::shadow`] of the object that contains the shape.
     #[serde(skip)]
     pub no_shadow: bool,
     /// Span of the object's block.
@@ -146,14 +147,15 @@ pub struct Part {
 /// Properties of a shape that are uncommon.
 #[derive(Clone, Debug, Serialize)]
 pub struct UncommonPart {
-    /// Material of the inside, if it differs from that of the outside.
+    /// Material of the inside; `None` if it is that of the outside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside: Option<PlacedMaterial>,
     /// Embedded textures of the shape; number 1 is the first.
     pub embedded: Box<[PlacedMaterial]>,
     /// Number of the set of lights that illuminate the shape; 0 for the lights of no group.
     pub light_set: u32,
-    /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`).
+    /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`); `None` for
+    /// other shapes.
     pub cut: Option<u32>,
     /// Share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
     #[serde(skip_serializing_if = "is_one")]
@@ -253,7 +255,8 @@ pub struct LightSource {
     pub number: usize,
     /// The light's emission.
     pub emitter: LoweredLight,
-    /// Object that the light must pass (`projected_through`). Objects between the light and this object do not occlude.
+    /// Object that the light must pass (`projected_through`); `None` for other lights. Objects between the light
+    /// and this object do not occlude.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Box<Geometry>>,
 }

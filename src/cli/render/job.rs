@@ -142,9 +142,14 @@ impl<'a> Job<'a> {
         self.reported.extend(advice);
     }
 
-    /// Builds the Scene and World of a frame. A render that continues a journal gets the value of `now` with which the
-    /// journal began.
-    fn build_with_journal_now(&mut self, timing: Timing, cancel: &CancelToken, journal: Option<&Journal>) -> Built {
+    /// Builds the Scene and World of a frame. In a render that continues a journal, the scene's variable `now` has the
+    /// value with which the journal began.
+    fn build_with_time_from_journal(
+        &mut self,
+        timing: Timing,
+        cancel: &CancelToken,
+        journal: Option<&Journal>,
+    ) -> Built {
         let begun = journal.filter(|_| self.config.resume).and_then(Journal::begun);
         let options = self.picture_options_text(timing);
         let now = begun.as_ref().filter(|begun| begun.is_current(&options, &self.common_files));
@@ -340,7 +345,7 @@ impl<'a> Job<'a> {
         };
         let deadline = Deadline::start(config.max_time, token, overrun);
         let token = deadline.token();
-        let mut built = self.build_with_journal_now(timing, token, journal.as_deref());
+        let mut built = self.build_with_time_from_journal(timing, token, journal.as_deref());
         if config.cancel.is_some() && token.reason() == Some(CancelReason::Request) {
             // The caller has no use for the messages of a run that it stopped.
             return Ok(Exit::Fine);

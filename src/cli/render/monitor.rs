@@ -94,9 +94,10 @@ impl Monitor<'_> {
         self.render_with(|| render::draw_shard(world, options, shard, self, &mut take))
     }
 
-    /// Computes the photons and radiosity samples of a picture, unless the work is stopped.
-    pub fn prepare_light(&self, world: &World, options: &render::Options) -> Result<()> {
-        self.render_with(|| render::prepare_light(world, options, self).map_err(Stopped::from))
+    /// Computes the photons and radiosity samples of a picture and saves those with a [`SaveFile`], unless the work is
+    /// stopped.
+    pub fn compute_and_save_light(&self, world: &World, options: &render::Options) -> Result<()> {
+        self.render_with(|| render::compute_and_save_light(world, options, self).map_err(Stopped::from))
     }
 
     fn render_with<T>(&self, render: impl FnOnce() -> std::result::Result<T, Stopped>) -> Result<T> {

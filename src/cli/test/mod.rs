@@ -53,9 +53,9 @@ pub struct Outcome {
     pub text: String,
     /// Errors and warnings of the scene, as text for a person.
     pub messages: String,
-    /// Snapshot that the scene's picture is compared with.
+    /// Expected picture, with which the rendered picture is compared; `None` without a snapshot or a rendered picture.
     pub expected: Option<Frame>,
-    /// Picture that the test rendered.
+    /// Picture that the test rendered of the scene; `None` if the scene could not be rendered.
     pub rendered: Option<Frame>,
     /// Encoding of the snapshot's picture file.
     encoding: Encoding,

@@ -70,7 +70,7 @@ fn write_after_each_change(console: &Console, args: &WatchArgs) -> Result {
                 render::RenderContext { cancel: Some(token), ..Default::default() },
             )
         };
-        let Some((rendered, looked_up)) = worker.run(&cancel, work) else {
+        let Some((rendered, looked_up)) = worker.run_until_superseded(&cancel, work) else {
             if let Some(signal) = interrupt::received_end_signal() {
                 return Ok(signal.exit);
             }

@@ -34,11 +34,15 @@ pub struct Scene {
 /// Result of reading a watched scene.
 #[derive(Default)]
 pub struct Read {
+    /// The watched scene; `None` after an error or if a newer request cancelled the run.
     pub scene: Option<Scene>,
+    /// Errors of the watched scene, then its warnings.
     pub messages: Vec<Message>,
     /// Output of the scene's `#debug` and its kin.
     pub log: String,
+    /// True if the messages include an error.
     pub failed: bool,
+    /// Size of the picture by the arguments, not scaled for the page; `None` if the scene's file could not be opened.
     pub size: Option<Size>,
     /// Present, first and last value of `clock`.
     pub clock: [f64; 3],
@@ -82,8 +86,14 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &PageSettings, cancel
     out
 }
 
+/// Messages of a scene, and its World with the path, arguments and timing; `None` if no World was built.
 type Found = (Vec<Diagnostic>, Option<(World, PathBuf, RenderArgs, Timing)>);
 
+/// Reads the watched scene's text and builds its World. Stores size, clock, log and times in `out`; the caller sets the
+/// other fields.
+///
+/// # Errors
+/// Messages of a failure before the text is evaluated, such as a missing file.
 fn try_read(
     args: &WatchArgs,
     settings: &PageSettings,
@@ -152,7 +162,7 @@ pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     Message { severity, code: diagnostic.code.0, text, place: link(sources, diagnostic.span()) }
 }
 
-/// Returns the link that opens a position of the scene in an editor.
+/// Returns the link that opens a position of the scene in an editor; `None` for a position in no file on the disk.
 pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     let place = sources.place(span)?;
     let path = sources.locate(span).and_then(|(file, _)| sources.path(file))?;

@@ -81,7 +81,7 @@ impl RenderLoop {
                 this.read_and_render(&console, &files, &mut new_scene, &mut new_state, &token);
                 (new_scene, new_state)
             };
-            if let Some(done) = worker.run(&cancel, work) {
+            if let Some(done) = worker.run_until_superseded(&cancel, work) {
                 (scene, state) = done;
                 self.screen.set_state(state.clone());
             }
@@ -192,7 +192,7 @@ fn displayed_region(options: &render::Options) -> Region {
     options.region.unwrap_or(Region { x: 0, y: 0, width: options.width, height: options.height })
 }
 
-/// Moves the result of a run into the page's state, and returns the scene.
+/// Moves the result of reading a scene into the page's state, and returns the scene; `None` if reading failed.
 fn update_page(state: &mut PageState, read: Read) -> Option<Arc<Scene>> {
     if let Some(size) = read.size {
         state.size = [size.width, size.height];

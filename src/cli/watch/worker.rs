@@ -28,9 +28,13 @@ impl<T> Default for Worker<T> {
 }
 
 impl<T: Send + 'static> Worker<T> {
-    /// Runs `work` on a new thread, and returns its result; `None` if `cancel` was cancelled on request, the work has
-    /// panicked, or no thread could be started.
-    pub fn run(&mut self, cancel: &CancelToken, work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
+    /// Runs `work` on a new thread, waits for it and returns its result. `None` if `cancel` was cancelled by a newer
+    /// request, the work has panicked, or no thread could be started. A time limit does not end the wait.
+    pub fn run_until_superseded(
+        &mut self,
+        cancel: &CancelToken,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> Option<T> {
         self.limit_abandoned_threads();
         let (sender, result) = channel();
         let token = cancel.clone();
@@ -89,7 +93,7 @@ mod tests {
     #[test]
     fn cancelled_work_does_not_hold_up_the_next() {
         let (mut worker, cancel) = (Worker::default(), CancelToken::default());
-        assert_eq!(worker.run(&cancel, || 1), Some(1));
+        assert_eq!(worker.run_until_superseded(&cancel, || 1), Some(1));
         let (release, gate) = channel::<()>();
         let (token, start) = (cancel.clone(), Instant::now());
         let work = move || {
@@ -97,18 +101,18 @@ mod tests {
             let _ = gate.recv_timeout(Duration::from_secs(20));
             2
         };
-        assert_eq!(worker.run(&cancel, work), None);
-        assert_eq!(worker.run(&CancelToken::default(), || 3), Some(3));
+        assert_eq!(worker.run_until_superseded(&cancel, work), None);
+        assert_eq!(worker.run_until_superseded(&CancelToken::default(), || 3), Some(3));
         assert!(start.elapsed() < Duration::from_secs(10));
         assert_eq!(worker.abandoned.len(), 1);
         drop(release);
         let limited = CancelToken::default();
         limited.cancel(CancelReason::TimeLimit);
-        assert_eq!(worker.run(&limited, || 4), Some(4));
+        assert_eq!(worker.run_until_superseded(&limited, || 4), Some(4));
     }
 
     #[test]
     fn work_that_panics_has_no_result() {
-        assert_eq!(Worker::<()>::default().run(&CancelToken::default(), || panic!()), None);
+        assert_eq!(Worker::<()>::default().run_until_superseded(&CancelToken::default(), || panic!()), None);
     }
 }

@@ -32,15 +32,19 @@ pub struct Internal {
     /// Returns bounds of the internal function while the arguments are in these intervals; `None` if no bounds are
     /// known.
     pub bounds: Option<fn(&[Interval]) -> Interval>,
-    /// Returns an upper bound of the gradient's length of the internal function, from the parameters after x, y and z.
+    /// Returns an upper bound of the gradient's length of the internal function, from the parameters after x, y and z;
+    /// `None` if no such bound is known.
     pub steepest: Option<fn(&[f64]) -> f64>,
     /// Returns an upper bound of the change of the internal function's gradient per unit of length, where the function
-    /// is strictly between 0 and 1.
+    /// is strictly between 0 and 1, from the parameters after x, y and z; `None` if no such bound is known.
     pub bend: Option<fn(&[f64]) -> f64>,
-    /// Prepares the internal function for constant parameters after x, y and z, so that what depends on these alone is
-    /// computed once; `None` for a wrong number of parameters. Functions that would save nothing have no such function.
-    pub prepare: Option<fn(&[f64]) -> Option<Arc<dyn PointFunction>>>,
+    /// Prepares the internal function for constant parameters; `None` if preparation would save nothing.
+    pub prepare: Option<Prepare>,
 }
+
+/// Function that prepares an internal function for constant parameters after x, y and z, so that what depends on these
+/// alone is computed once; returns `None` for a wrong number of parameters.
+pub type Prepare = fn(&[f64]) -> Option<Arc<dyn PointFunction>>;
 
 /// An internal function that is prepared for its parameters after x, y and z.
 pub trait PointFunction: fmt::Debug + Send + Sync {
@@ -57,7 +61,7 @@ impl fmt::Debug for Internal {
 /// Number of the internal function `f_noise3d`, whose generator is set by the scene.
 pub const SCENE_NOISE: u32 = 76;
 
-/// Finds the internal function with this number.
+/// Finds the internal function with this number; `None` if no function has the number.
 pub fn find_internal(number: u32) -> Option<&'static Internal> {
     TABLE.iter().find(|row| row.number == number)
 }
@@ -80,7 +84,7 @@ fn clamp_symmetrically(value: f64, limit: f64) -> f64 {
     value.max(-limit).min(limit)
 }
 
-/// Bounds of an internal function that is a clamped polynomial, ±10 for any arguments.
-fn clamped_field_bounds(_: &[Interval]) -> Interval {
+/// Returns the bounds of an internal function that is a clamped polynomial: -10 to 10, whatever the arguments are.
+fn bounds_plus_minus_ten(_: &[Interval]) -> Interval {
     Interval { lo: -10.0, hi: 10.0 }
 }

@@ -19,7 +19,7 @@ pub fn f_noise3d([x, y, z]: [f64; 3]) -> f64 {
 
 /// Noise from 0 to 1, by the generator with this number.
 pub fn f_noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
-    noise(DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator))
+    noise(DVec3::new(x, y, z), NoiseGenerator::from_number_modulo_4(generator))
 }
 
 /// Folds octaves of noise from 0 to 1: that of the point p, and those of its multiples by the powers of `lacunarity`.
@@ -45,9 +45,9 @@ fn fold_octaves<T>(
 #[derive(Debug)]
 struct HeteroTerrain {
     lacunarity: f64,
-    /// Number of whole octaves.
-    whole: f64,
-    /// Fraction of an octave that is added after the whole ones, as in Musgrave's function.
+    /// Number of octaves added in full: `octaves` rounded up, at least 1.
+    n_full_octaves: f64,
+    /// Fraction of an octave that is added after the full ones, as in Musgrave's function.
     rest: f64,
     /// Factor from the weight of an octave to that of the next.
     factor: f64,
@@ -61,24 +61,24 @@ impl HeteroTerrain {
         let octaves = octaves.min(MOST_OCTAVES);
         Self {
             lacunarity,
-            whole: octaves.ceil().max(1.0),
+            n_full_octaves: octaves.ceil().max(1.0),
             rest: octaves - octaves.floor(),
             factor: fp::pow(lacunarity, -h),
             offset,
             power: t.clamp(0.0, 64.0) as i32,
-            generator: NoiseGenerator::from_generator_number(generator),
+            generator: NoiseGenerator::from_number_modulo_4(generator),
         }
     }
 }
 
 impl PointFunction for HeteroTerrain {
     fn value_at(&self, p: DVec3) -> f64 {
-        let count = if self.rest > 0.0 { self.whole + 1.0 } else { self.whole };
+        let count = if self.rest > 0.0 { self.n_full_octaves + 1.0 } else { self.n_full_octaves };
         let step = |(value, weight): (f64, f64), i: f64, noise: f64| {
             let increment = (2.0 * noise - 1.0 + self.offset) * weight;
             let next = if i == 0.0 {
                 increment
-            } else if i < self.whole {
+            } else if i < self.n_full_octaves {
                 increment * value.powi(self.power)
             } else {
                 self.rest * increment * value
@@ -109,7 +109,7 @@ impl RidgedMultifractal {
             factor: fp::pow(lacunarity, -h),
             offset,
             gain,
-            generator: NoiseGenerator::from_generator_number(generator),
+            generator: NoiseGenerator::from_number_modulo_4(generator),
         }
     }
 }
@@ -158,7 +158,7 @@ pub fn f_ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64
         let share = if i < whole { weight } else { rest * weight };
         (sum + share * height, weights + share, weight * omega)
     };
-    let generator = NoiseGenerator::from_generator_number(generator);
+    let generator = NoiseGenerator::from_number_modulo_4(generator);
     let start = (0.0, 0.0, 1.0);
     let (sum, weights, _) = fold_octaves(DVec3::new(x, y, z), lambda, whole + rest, generator, start, step);
     (sum / weights - offset) / offset.max(1.0 - offset)
@@ -166,14 +166,12 @@ pub fn f_ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64
 
 /// Upper bound of the length of the gradient of noise, by the number of its generator.
 pub fn max_noise_gradient(generator: &[f64]) -> f64 {
-    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient())
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number_modulo_4(*n).max_gradient())
 }
 
 /// Upper bound of the change of the gradient of noise per unit of length, by the number of its generator.
 pub fn max_noise_gradient_change(generator: &[f64]) -> f64 {
-    generator
-        .first()
-        .map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient_change_per_unit())
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number_modulo_4(*n).max_gradient_change_per_unit())
 }
 
 /// Bounds of the internal functions of noise: 0 to 1.
@@ -207,7 +205,7 @@ impl Octaves {
         (p.is_finite() && radius.is_finite()).then(|| Self {
             p,
             radius,
-            generator: NoiseGenerator::from_generator_number(generator),
+            generator: NoiseGenerator::from_number_modulo_4(generator),
         })
     }
 

@@ -1,11 +1,10 @@
 //! The functions, by number.
 
 use super::{
-    Internal, PointFunction, SCENE_NOISE, algebraic, call_with_array, clamped_field_bounds, helix, misc, noise, planar,
+    Internal, Prepare, SCENE_NOISE, algebraic, bounds_plus_minus_ten, call_with_array, helix, misc, noise, planar,
     quadric,
 };
 use crate::function::Interval;
-use std::sync::Arc;
 
 type Bounds = Option<fn(&[Interval]) -> Interval>;
 
@@ -21,7 +20,7 @@ const CYLINDER: &[&str] = &[STRENGTH, LIMIT, SWITCH, OFFSET, ANGLE];
 const TORUS: &[&str] = &[STRENGTH, "major radius", "minor radius"];
 const ELLIPSOIDS: &[&str] = &["eccentricity: 1 for spheres", "inverse size", "strength", "threshold"];
 
-const FIELD_BOUNDS: Bounds = Some(clamped_field_bounds);
+const FIELD_BOUNDS: Bounds = Some(bounds_plus_minus_ten);
 
 /// All internal functions: number, name, summary, formula, bounds, and the parameters' meanings.
 #[rustfmt::skip]
@@ -214,7 +213,7 @@ impl Internal {
         Self { bend: Some(bend), ..self }
     }
 
-    const fn with_preparation(self, prepare: fn(&[f64]) -> Option<Arc<dyn PointFunction>>) -> Self {
+    const fn with_preparation(self, prepare: Prepare) -> Self {
         Self { prepare: Some(prepare), ..self }
     }
 }

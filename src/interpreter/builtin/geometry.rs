@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::{Argument, ArgumentForm};
-use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::Contents;
 use crate::math::DVec3;
 use crate::scene::Object;
 use crate::value::{Value, downcast};
@@ -48,17 +48,19 @@ impl<'a> Interpreter<'a> {
     fn assign_to_argument(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
             ArgumentForm::Name(symbol) if self.evaluator.is_declared(*symbol) => {
-                self.evaluator.scopes_mut().rebind_innermost_or_add_global(*symbol, Slot::Value(value), vec![]);
+                self.evaluator.scopes_mut().rebind_innermost_or_add_global(*symbol, Contents::Value(value), vec![]);
                 Ok(())
             }
             ArgumentForm::LValue(lvalue) => {
-                self.evaluator.scopes_mut().set_element(lvalue, Some(Slot::Value(value)));
+                self.evaluator.scopes_mut().set_element(lvalue, Some(Contents::Value(value)));
                 Ok(())
             }
             ArgumentForm::Name(symbol) => self.evaluate_name(*symbol, target.span).map(drop),
-            ArgumentForm::Slot(_) => Diagnostic::new(codes::WRONG_TYPE, target.span, "the normal is given to a name")
-                .help("`#declare N = <0, 0, 0>; #declare P = trace(Thing, From, Direction, N);`")
-                .into(),
+            ArgumentForm::Contents(_) => {
+                Diagnostic::new(codes::WRONG_TYPE, target.span, "the normal is given to a name")
+                    .help("`#declare N = <0, 0, 0>; #declare P = trace(Thing, From, Direction, N);`")
+                    .into()
+            }
         }
     }
 

@@ -107,7 +107,7 @@ pub(super) const TABLE: &[Special] = &[
 impl<'a> Interpreter<'a> {
     fn is_defined(&mut self, argument: &Argument<'a>, span: Span) -> Result<Value> {
         match argument.given {
-            ArgumentForm::Slot(_) => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
+            ArgumentForm::Contents(_) => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
             _ => Ok(Value::Float(f64::from(self.is_argument_defined(argument)))),
         }
     }

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
-use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::Contents;
 use crate::interpreter::evaluator::TOLERANCE;
 use crate::interpreter::evaluator::{as_float, is_in_loop};
 use crate::interpreter::stream::FrameKind;
@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
                             argument => argument?,
                         };
                         match argument.given {
-                            ArgumentForm::Slot(_) => {
+                            ArgumentForm::Contents(_) => {
                                 Diagnostic::err(codes::WRONG_TYPE, argument.span, "`#ifdef` takes a name")
                             }
                             _ => Ok(me.is_argument_defined(&argument)),
@@ -136,16 +136,16 @@ impl<'a> Interpreter<'a> {
                     return self.has_keys(lvalue, indices);
                 }
                 let lvalue = self.element_lvalue(array, indices)?;
-                Ok(self.evaluator.scopes().slot_at(&lvalue).is_some())
+                Ok(self.evaluator.scopes().contents_at(&lvalue).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
                 if let Some(lvalue) = self.evaluator.prefixed_lvalue(e) {
-                    return Ok(self.evaluator.scopes().slot_at(&lvalue).is_some());
+                    return Ok(self.evaluator.scopes().contents_at(&lvalue).is_some());
                 }
                 let lvalue = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(
-                    matches!(lvalue.and_then(|p| self.evaluator.scopes().slot_at(&p)), Some(Slot::Array(array)) if array.has_value_at(key)),
+                    matches!(lvalue.and_then(|p| self.evaluator.scopes().contents_at(&p)), Some(Contents::Array(array)) if array.has_value_at(key)),
                 )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),
@@ -179,7 +179,7 @@ impl<'a> Interpreter<'a> {
         if step.is_nan() || step.abs() < TOLERANCE {
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
         }
-        self.evaluator.scopes_mut().set_local(counter, Slot::Value(Value::Float(first)), vec![]);
+        self.evaluator.scopes_mut().set_local(counter, Contents::Value(Value::Float(first)), vec![]);
         if is_in_loop(first, last, step) {
             self.stream.push_frame(&f.body, FrameKind::For { counter, last, step }, span);
         }

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
-use crate::interpreter::evaluator::{LValue, Slot};
+use crate::interpreter::evaluator::{Contents, LValue};
 use crate::interpreter::stream::{StackFrame, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -36,10 +36,10 @@ impl<'a> Interpreter<'a> {
             && declare.deprecated.is_none()
             && let Some(x) = self.take_number_and_semicolon()
         {
-            let slot = Slot::Value(Value::Float(x));
+            let contents = Contents::Value(Value::Float(x));
             match declare.local {
-                true => self.evaluator.scopes_mut().set_local(target.symbol, slot, vec![]),
-                false => self.evaluator.scopes_mut().rebind_innermost_or_add_global(target.symbol, slot, vec![]),
+                true => self.evaluator.scopes_mut().set_local(target.symbol, contents, vec![]),
+                false => self.evaluator.scopes_mut().rebind_innermost_or_add_global(target.symbol, contents, vec![]),
             }
             return Ok(());
         }
@@ -48,9 +48,9 @@ impl<'a> Interpreter<'a> {
         if !declare.others.is_empty() {
             let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();
             let values = self.read_values_in_parentheses(targets.len())?;
-            for (target, slot) in targets.into_iter().zip(values) {
+            for (target, contents) in targets.into_iter().zip(values) {
                 let declared = self.evaluate_target(target)?;
-                self.bind(declare.local, &declared, slot, vec![]);
+                self.bind(declare.local, &declared, contents, vec![]);
             }
             return Ok(());
         }
@@ -102,8 +102,8 @@ impl<'a> Interpreter<'a> {
             self.close_bracket("`)`")?;
             self.expect_equals_sign()?;
             let values = self.read_values_in_parentheses(targets.len())?;
-            for (target, slot) in targets.into_iter().zip(values) {
-                self.bind(local, &target, slot, vec![]);
+            for (target, contents) in targets.into_iter().zip(values) {
+                self.bind(local, &target, contents, vec![]);
             }
             return Ok(());
         }
@@ -217,13 +217,14 @@ impl<'a> Interpreter<'a> {
         let first = self.reporter.diagnostic_count();
         let checkpoint = self.stream.checkpoint();
         let floor = checkpoint.frame_count();
-        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.run_rest_of_macros(floor).map(|()| slot));
+        let read =
+            |me: &mut Self| me.read_rvalue().and_then(|contents| me.run_rest_of_macros(floor).map(|()| contents));
         let value = self.in_mode(|mode| mode.frame_floor = floor, read);
         if value.is_ok() && self.stream.next_raw_element().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.stream.advance();
         }
-        let slot = match value {
-            Ok(slot) => slot,
+        let contents = match value {
+            Ok(contents) => contents,
             Err(fault)
                 if self.reporter.limit_reached()
                     || fault.code == codes::ENDS_RUN
@@ -237,18 +238,18 @@ impl<'a> Interpreter<'a> {
                 self.stream.skip_following_texture_layers(checkpoint);
                 // Text that POV-Ray cannot even tokenize is an error at once.
                 if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
-                    self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
+                    self.bind(local, &declared, Contents::Faulty(Rc::default()), vec![]);
                     return fault.into();
                 }
                 let mut faults = self.reporter.take_diagnostics_since(first);
                 faults.push(fault);
-                Slot::Faulty(Rc::new(faults))
+                Contents::Faulty(Rc::new(faults))
             }
         };
         // Warnings about a thing wait until the thing is used; those about a number are reported here.
-        let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
+        let waits = matches!(contents, Contents::Value(Value::Thing(_)) | Contents::Faulty(_));
         let pending = if waits { self.reporter.take_diagnostics_since(first) } else { vec![] };
-        self.bind(local, &declared, slot, pending);
+        self.bind(local, &declared, contents, pending);
         if let Some((_, why)) = deprecated {
             self.evaluator.deprecate(declared.symbol, why);
         }
@@ -265,25 +266,27 @@ impl<'a> Interpreter<'a> {
 
     /// Assigns a value to the target of a declaration. `first_use_warnings` are reported at the first use of a name,
     /// and now for an array element.
-    fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+    fn bind(&mut self, local: bool, declared: &Declared, contents: Contents<'a>, first_use_warnings: Vec<Diagnostic>) {
         match &declared.lvalue {
             Some(lvalue) => {
-                self.evaluator.scopes_mut().set_element(lvalue, Some(slot));
+                self.evaluator.scopes_mut().set_element(lvalue, Some(contents));
                 first_use_warnings.into_iter().for_each(|d| self.reporter.report(d));
             }
             None if let Some(level) = declared.level => {
-                self.evaluator.scopes_mut().set_at_level(declared.symbol, level, slot, first_use_warnings);
+                self.evaluator.scopes_mut().set_at_level(declared.symbol, level, contents, first_use_warnings);
             }
-            None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, first_use_warnings),
-            None => {
-                self.evaluator.scopes_mut().rebind_innermost_or_add_global(declared.symbol, slot, first_use_warnings)
-            }
+            None if local => self.evaluator.scopes_mut().set_local(declared.symbol, contents, first_use_warnings),
+            None => self.evaluator.scopes_mut().rebind_innermost_or_add_global(
+                declared.symbol,
+                contents,
+                first_use_warnings,
+            ),
         }
     }
 
     /// Reads the values `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is
     /// assigned, so that `(A, B) = (B, A)` swaps them.
-    fn read_values_in_parentheses(&mut self, value_count: usize) -> Result<Vec<Slot<'a>>> {
+    fn read_values_in_parentheses(&mut self, value_count: usize) -> Result<Vec<Contents<'a>>> {
         self.split_to_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
@@ -329,7 +332,7 @@ impl<'a> Interpreter<'a> {
         match argument.given {
             ArgumentForm::Name(symbol) => drop(self.evaluator.scopes_mut().remove(symbol)),
             ArgumentForm::LValue(lvalue) => self.evaluator.scopes_mut().set_element(&lvalue, None),
-            ArgumentForm::Slot(_) => {}
+            ArgumentForm::Contents(_) => {}
         }
         Ok(())
     }

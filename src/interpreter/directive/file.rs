@@ -4,7 +4,7 @@ use super::data::{Binary, data_bytes, data_value_and_length, skip_blanks_commas_
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
-use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::Contents;
 use crate::interpreter::stream::Token;
 use crate::source::{FileId, Files, Span, WriteMode};
 use crate::syntax::ast::{ElementKind, Expr, ExprKind, Symbol};
@@ -59,12 +59,12 @@ impl<'a> Interpreter<'a> {
         };
         // Uses of a file that could not be opened are no further faults.
         let file = file.inspect_err(|_| {
-            self.evaluator.scopes_mut().rebind_innermost_or_add_global(symbol, Slot::Faulty(Rc::default()), vec![])
+            self.evaluator.scopes_mut().rebind_innermost_or_add_global(symbol, Contents::Faulty(Rc::default()), vec![])
         })?;
         self.open_files.push(file);
         self.evaluator.scopes_mut().rebind_innermost_or_add_global(
             symbol,
-            Slot::File(self.open_files.len() - 1),
+            Contents::File(self.open_files.len() - 1),
             vec![],
         );
         Ok(())
@@ -142,7 +142,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn close_file(&mut self, symbol: Symbol, span: Span) {
-        if let Some(Slot::File(index)) = self.evaluator.scopes().get(symbol) {
+        if let Some(Contents::File(index)) = self.evaluator.scopes().get(symbol) {
             self.close_file_at(*index, span);
             if let Some(place) = self.evaluator.scopes().resolve(symbol) {
                 self.evaluator.scopes_mut().unbind(&place);
@@ -169,8 +169,8 @@ impl<'a> Interpreter<'a> {
 
     fn index_of_open_file(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
         match self.evaluator.scopes().get(symbol) {
-            Some(Slot::File(index)) => Ok(*index),
-            Some(Slot::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
+            Some(Contents::File(index)) => Ok(*index),
+            Some(Contents::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
             _ => {
                 let name = self.inputs.names.text(symbol);
                 let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("`{name}` is no open file"));
@@ -197,7 +197,7 @@ impl<'a> Interpreter<'a> {
             if let (Err(_), ArgumentForm::Name(symbol)) = (&value, &target.given) {
                 self.evaluator.scopes_mut().rebind_innermost_or_add_global(
                     *symbol,
-                    Slot::Faulty(Rc::default()),
+                    Contents::Faulty(Rc::default()),
                     vec![],
                 );
             }
@@ -207,10 +207,12 @@ impl<'a> Interpreter<'a> {
             };
             match &target.given {
                 ArgumentForm::Name(symbol) => {
-                    self.evaluator.scopes_mut().rebind_innermost_or_add_global(*symbol, Slot::Value(value), vec![])
+                    self.evaluator.scopes_mut().rebind_innermost_or_add_global(*symbol, Contents::Value(value), vec![])
                 }
-                ArgumentForm::LValue(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
-                ArgumentForm::Slot(_) => {
+                ArgumentForm::LValue(place) => {
+                    self.evaluator.scopes_mut().set_element(place, Some(Contents::Value(value)))
+                }
+                ArgumentForm::Contents(_) => {
                     return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }
             }

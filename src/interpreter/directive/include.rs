@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
         };
         self.evaluator.scopes_mut().enter_scope();
         self.stream.push_include(path, &ast.elements, span);
-        self.split_rest_if_old();
+        self.retokenize_unread_if_old_version();
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
-use crate::interpreter::evaluator::{LValue, Slot};
+use crate::interpreter::evaluator::{Contents, LValue};
 use crate::interpreter::reporter::MAX_CALLS;
 use crate::interpreter::stream::Token;
 use crate::interpreter::token_expr::joined_span_if_near;
@@ -19,7 +19,11 @@ impl<'a> Interpreter<'a> {
             let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name after `#macro`, found {found}"));
             return d.help("`#macro Name(A, B) … #end`").into();
         }
-        self.evaluator.scopes_mut().rebind_innermost_or_add_global(definition.name, Slot::Macro(definition), vec![]);
+        self.evaluator.scopes_mut().rebind_innermost_or_add_global(
+            definition.name,
+            Contents::Macro(definition),
+            vec![],
+        );
         Ok(())
     }
 
@@ -31,19 +35,19 @@ impl<'a> Interpreter<'a> {
         span: Span,
         has_comma_after: bool,
     ) -> Result<()> {
-        let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
+        let Some(&Contents::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_call_depth(name, span)?;
-        let slots = match self.evaluate_plain_arguments(definition, arguments)? {
-            Some(slots) => slots,
+        let argument_contents = match self.evaluate_plain_arguments(definition, arguments)? {
+            Some(argument_contents) => argument_contents,
             None => self.read_contents(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
         };
-        self.enter_macro(definition, slots, span, has_comma_after);
+        self.enter_macro(definition, argument_contents, span, has_comma_after);
         Ok(())
     }
 
     /// Calls a macro whose name has been consumed; the next token is the `(`.
     pub fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
-        let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
+        let Some(&Contents::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_call_depth(name, span)?;
         self.split_to_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
@@ -53,11 +57,11 @@ impl<'a> Interpreter<'a> {
         }
         let checkpoint = self.stream.checkpoint();
         let read = self.open_bracket().and_then(|_| self.read_arguments(definition, span));
-        let read = read.and_then(|slots| {
+        let read = read.and_then(|argument_contents| {
             let end = self.stream.next_span();
-            self.close_bracket("`)`").map(|()| (slots, end))
+            self.close_bracket("`)`").map(|()| (argument_contents, end))
         });
-        let (slots, end) = match read {
+        let (argument_contents, end) = match read {
             Ok(read) => read,
             Err(fault) => {
                 if self.stream.unclosed_bracket_error().is_none() {
@@ -67,7 +71,7 @@ impl<'a> Interpreter<'a> {
             }
         };
         let comma = self.stream.take_comma();
-        self.enter_macro(definition, slots, joined_span_if_near(span, end), comma);
+        self.enter_macro(definition, argument_contents, joined_span_if_near(span, end), comma);
         Ok(())
     }
 
@@ -83,7 +87,7 @@ impl<'a> Interpreter<'a> {
     fn enter_macro(
         &mut self,
         definition: &'a Macro,
-        arguments: Vec<Option<Slot<'a>>>,
+        arguments: Vec<Option<Contents<'a>>>,
         span: Span,
         has_comma_after: bool,
     ) {
@@ -97,51 +101,53 @@ impl<'a> Interpreter<'a> {
         &mut self,
         definition: &'a Macro,
         arguments: &'a [Element],
-    ) -> Result<Option<Vec<Option<Slot<'a>>>>> {
+    ) -> Result<Option<Vec<Option<Contents<'a>>>>> {
         if arguments.len() != definition.parameters.len()
             || !arguments.iter().all(|e| self.evaluator.is_plain_argument(e))
         {
             return Ok(None);
         }
         // The list is reused: calls are many, and evaluation itself does not allocate.
-        let mut slots = self.evaluator.take_empty_argument_list();
-        slots.clear();
+        let mut argument_contents = self.evaluator.take_empty_argument_list();
+        argument_contents.clear();
         for (i, element) in arguments.iter().enumerate() {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
             let next = arguments.get(i + 1).filter(|_| !element.comma).and_then(|next| match &next.kind {
                 ElementKind::Expr(next) => first_name(next),
                 _ => None,
             });
-            slots.push(Some(match e.kind {
+            argument_contents.push(Some(match e.kind {
                 ExprKind::Name(symbol) => match self.reference_target(symbol, next) {
-                    Some(lvalue) => Slot::Alias(lvalue),
+                    Some(lvalue) => Contents::Alias(lvalue),
                     None => return Ok(None),
                 },
-                _ => Slot::Value(self.evaluate(e)?),
+                _ => Contents::Value(self.evaluate(e)?),
             }));
         }
-        Ok(Some(slots))
+        Ok(Some(argument_contents))
     }
 
     /// Returns the location to which a parameter refers if its argument is the name `symbol`. `name_after_argument` is
     /// the name that follows the argument in the call, without a comma (quirk: `reference_without_comma`).
     fn reference_target(&self, symbol: Symbol, name_after_argument: Option<Symbol>) -> Option<LValue> {
         let scopes = self.evaluator.scopes();
-        let is_number = |slot: &Slot| matches!(slot, Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_)));
+        let is_number = |contents: &Contents| {
+            matches!(contents, Contents::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_)))
+        };
         match name_after_argument.and_then(|next| scopes.resolve(next)) {
             Some(next) if scopes.get(symbol).is_some_and(is_number) => Some(next),
             _ => scopes.resolve(symbol),
         }
     }
 
-    fn read_arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
+    fn read_arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Contents<'a>>>> {
         let name = self.inputs.names.text(definition.name);
         let (level, wanted) = (self.evaluator.scopes().level(), definition.parameters.len());
-        let mut slots = Vec::with_capacity(wanted);
+        let mut argument_contents = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
             if self.peek()?.is_closer_or_end() {
                 if optional {
-                    slots.push(None);
+                    argument_contents.push(None);
                     continue;
                 }
                 let parameter = self.inputs.names.text(parameter);
@@ -151,14 +157,14 @@ impl<'a> Interpreter<'a> {
                     format!(
                         "macro `{name}` takes {}, but only {} given",
                         arguments_text(wanted),
-                        count_with_verb(slots.len())
+                        count_with_verb(argument_contents.len())
                     ),
                 )
                 .also(definition.span, "defined here")
                 .help(format!("the argument for `{parameter}` is missing"))
                 .into();
             }
-            slots.push(Some(self.read_macro_argument(level)?));
+            argument_contents.push(Some(self.read_macro_argument(level)?));
         }
         let next = self.peek()?;
         if let Some(d) = self.uncallable_value_error() {
@@ -173,12 +179,12 @@ impl<'a> Interpreter<'a> {
                 .also(definition.span, "defined here")
                 .into();
         }
-        Ok(slots)
+        Ok(argument_contents)
     }
 
     /// Reads an argument of a macro. A name alone is passed by reference, unless it is local to a macro that ends with
     /// the argument; any other value is copied.
-    fn read_macro_argument(&mut self, call_level: u32) -> Result<Slot<'a>> {
+    fn read_macro_argument(&mut self, call_level: u32) -> Result<Contents<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.read_rvalue();
         }
@@ -187,7 +193,7 @@ impl<'a> Interpreter<'a> {
             _ => None,
         };
         let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= call_level);
-        let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
+        let argument = self.in_mode(|mode| mode.defers_directives = true, Self::read_argument)?;
         match argument.given {
             ArgumentForm::Name(symbol) if let Some(own) = lasting => {
                 let next = match self.peek()? {
@@ -196,11 +202,13 @@ impl<'a> Interpreter<'a> {
                 };
                 let referenced = self.reference_target(symbol, next);
                 let referenced = referenced.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= call_level);
-                Ok(Slot::Alias(referenced.unwrap_or(own)))
+                Ok(Contents::Alias(referenced.unwrap_or(own)))
             }
-            ArgumentForm::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),
-            ArgumentForm::Slot(slot) => Ok(slot),
-            ArgumentForm::Name(_) => self.argument_slot(&argument),
+            ArgumentForm::LValue(lvalue) => {
+                self.evaluator.contents_at(&lvalue, argument.span).map(|_| Contents::Alias(lvalue))
+            }
+            ArgumentForm::Contents(contents) => Ok(contents),
+            ArgumentForm::Name(_) => self.argument_contents(&argument),
         }
     }
 }

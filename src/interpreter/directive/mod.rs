@@ -56,7 +56,7 @@ impl<'a> Interpreter<'a> {
         // No other directive runs before this one has read its values.
         let frame_floor = self.stream.frames().len();
         self.in_mode(
-            |mode| (mode.defers, mode.frame_floor) = (true, frame_floor),
+            |mode| (mode.defers_directives, mode.frame_floor) = (true, frame_floor),
             |me| {
                 let checkpoint = me.stream.checkpoint();
                 run(me, name, span).map_err(|fault| me.trace_fault_and_skip(checkpoint, *fault))

@@ -1,6 +1,6 @@
 //! Access to elements of arrays and dictionaries.
 
-use super::{Array, Evaluator, LValue, Slot};
+use super::{Array, Contents, Evaluator, LValue};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes, did_you_mean};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Symbol};
@@ -70,9 +70,9 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns the contents of a location; an error if the location has no value.
-    pub fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
-        match self.scopes.slot_at(lvalue) {
-            Some(slot) => Ok(slot.clone()),
+    pub fn contents_at(&self, lvalue: &LValue, span: Span) -> Result<Contents<'a>> {
+        match self.scopes.contents_at(lvalue) {
+            Some(contents) => Ok(contents.clone()),
             None => self.no_value_error(span),
         }
     }

@@ -26,7 +26,7 @@ pub(super) use operators::{
 };
 pub(super) use quick::Quick;
 use rustc_hash::FxHashMap;
-pub(super) use scope::{Array, LValue, Scopes, Slot};
+pub(super) use scope::{Array, Contents, LValue, Scopes};
 use std::sync::Arc;
 pub use timing::Timing;
 pub(super) use whole::is_callable;
@@ -42,7 +42,7 @@ pub(super) struct Evaluator<'a> {
     random: Vec<u32>,
     assets: Assets,
     /// Empty list for the arguments of the next macro call, kept to reuse its allocation.
-    spare_arguments: Vec<Option<Slot<'a>>>,
+    spare_arguments: Vec<Option<Contents<'a>>>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -52,7 +52,7 @@ impl<'a> Evaluator<'a> {
         for (name, value) in &inputs.options.declares {
             let value =
                 crate::value::parse_value(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
-            scopes.rebind_innermost_or_add_global(inputs.names.intern(name), Slot::Value(value), vec![]);
+            scopes.rebind_innermost_or_add_global(inputs.names.intern(name), Contents::Value(value), vec![]);
         }
         Self {
             inputs,
@@ -95,18 +95,18 @@ impl<'a> Evaluator<'a> {
 
     #[inline]
     pub(super) fn is_macro(&self, symbol: Symbol) -> bool {
-        matches!(self.scopes.get(symbol), Some(Slot::Macro(_)))
+        matches!(self.scopes.get(symbol), Some(Contents::Macro(_)))
     }
 
     pub(super) fn is_array(&self, symbol: Symbol) -> bool {
-        matches!(self.scopes.get(symbol), Some(Slot::Array(_)))
+        matches!(self.scopes.get(symbol), Some(Contents::Array(_)))
     }
 
     pub(super) fn is_declared(&self, symbol: Symbol) -> bool {
         self.scopes.get(symbol).is_some()
     }
 
-    /// Returns the symbol of a keyword that the scene also declared as a name.
+    /// Returns the symbol of a keyword that the scene also declared as a name; `None` for other keywords.
     pub(super) fn declared_symbol_of_keyword(&self, word: &str) -> Option<Symbol> {
         self.inputs.names.find(word).filter(|symbol| self.is_declared(*symbol))
     }
@@ -116,10 +116,10 @@ impl<'a> Evaluator<'a> {
         !self.is_declared(symbol) && !self.is_constant(symbol)
     }
 
-    /// Returns the declared object, texture or similar value of this name, if its type is `T`.
+    /// Returns the declared object, texture or similar value of this name; `None` if its type is not `T`.
     pub(super) fn thing_of<T: Thing>(&self, symbol: Symbol) -> Option<Arc<T>> {
         match self.scopes.get(symbol) {
-            Some(Slot::Value(Value::Thing(thing))) => downcast(thing),
+            Some(Contents::Value(Value::Thing(thing))) => downcast(thing),
             _ => None,
         }
     }
@@ -127,7 +127,7 @@ impl<'a> Evaluator<'a> {
     /// Returns a name as [`crate::value::Reader::peek_next`] announces it: as a declared thing or as a value.
     pub(super) fn next_kind_of_name(&self, symbol: Symbol) -> Next {
         match self.scopes.get(symbol) {
-            Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
+            Some(Contents::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
             _ => Next::Value,
         }
     }
@@ -140,12 +140,12 @@ impl<'a> Evaluator<'a> {
         step: f64,
         span: Span,
     ) -> Result<bool> {
-        let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
+        let Some(Contents::Value(Value::Float(value))) = self.scopes.get(counter) else {
             let name = self.inputs.names.text(counter);
             return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
         };
         let next = value + step;
-        self.scopes.rebind_innermost_or_add_global(counter, Slot::Value(Value::Float(next)), vec![]);
+        self.scopes.rebind_innermost_or_add_global(counter, Contents::Value(Value::Float(next)), vec![]);
         Ok(is_in_loop(next, last, step))
     }
 
@@ -176,17 +176,17 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns an empty list for the arguments of a macro call.
-    pub(super) fn take_empty_argument_list(&mut self) -> Vec<Option<Slot<'a>>> {
+    pub(super) fn take_empty_argument_list(&mut self) -> Vec<Option<Contents<'a>>> {
         std::mem::take(&mut self.spare_arguments)
     }
 
     /// Opens the scope of a macro call and binds the parameters to the arguments. The argument `None` leaves an
     /// optional parameter unbound.
-    pub(super) fn enter_call(&mut self, parameters: &[(Symbol, bool)], mut arguments: Vec<Option<Slot<'a>>>) {
+    pub(super) fn enter_call(&mut self, parameters: &[(Symbol, bool)], mut arguments: Vec<Option<Contents<'a>>>) {
         self.scopes.enter_scope();
-        for ((parameter, _), slot) in parameters.iter().zip(arguments.drain(..)) {
-            if let Some(slot) = slot {
-                self.scopes.bind_parameter(*parameter, slot);
+        for ((parameter, _), contents) in parameters.iter().zip(arguments.drain(..)) {
+            if let Some(contents) = contents {
+                self.scopes.bind_parameter(*parameter, contents);
             }
         }
         self.spare_arguments = arguments;

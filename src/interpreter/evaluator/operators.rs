@@ -27,7 +27,7 @@ pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
     })
 }
 
-/// Returns the components of a vector or colour. The flag is true for a colour.
+/// Returns the components of a vector or colour; `None` for any other value. The flag is true for a colour.
 pub fn components_and_is_color(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
@@ -36,7 +36,7 @@ pub fn components_and_is_color(value: &Value) -> Option<(VecN, bool)> {
     }
 }
 
-/// Returns the components of a vector or colour; a number counts as one component.
+/// Returns the components of a vector or colour; a number counts as one component. `None` for any other value.
 pub fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
@@ -123,7 +123,7 @@ pub fn has_zero_component(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 
-/// Returns the index of a named component in a vector or colour.
+/// Returns the index of a named component in a vector or colour; `None` for any other name, such as `gray`.
 pub fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
         "x" | "u" | "red" => 0,

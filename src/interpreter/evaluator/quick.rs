@@ -1,7 +1,7 @@
 //! Fast evaluation of expressions of numbers and vectors, without side effects and messages, which are the most common.
 
 use super::operators::{TOLERANCE, apply_to_floats, apply_to_vectors, component_index, has_zero_component};
-use super::{Evaluator, Slot};
+use super::{Contents, Evaluator};
 use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
@@ -102,7 +102,7 @@ impl Evaluator<'_> {
             ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
             ExprKind::Paren(inner) => self.quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Value(value)) if self.deprecated.is_empty() => T::from_value(value),
+                Some(Contents::Value(value)) if self.deprecated.is_empty() => T::from_value(value),
                 None => T::from_value(self.constants.fixed_value(*symbol)?),
                 _ => None,
             },
@@ -144,7 +144,7 @@ impl Evaluator<'_> {
     fn quick_component(&self, base: &Expr, name: &Name) -> Option<f64> {
         let ExprKind::Name(symbol) = base.kind else { return None };
         match self.scopes.get(symbol)? {
-            Slot::Value(Value::Vector(v)) if self.deprecated.is_empty() => {
+            Contents::Value(Value::Vector(v)) if self.deprecated.is_empty() => {
                 component_index(name).filter(|i| *i < usize::from(v.len)).map(|i| v.c[i])
             }
             _ => None,
@@ -176,8 +176,8 @@ impl Evaluator<'_> {
         let ExprKind::Name(symbol) = array.kind else { return None };
         let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {
-            Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
-                Some(Slot::Value(value)) => T::from_value(value),
+            Contents::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
+                Some(Contents::Value(value)) => T::from_value(value),
                 _ => None,
             },
             _ => None,

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// Contents of a declared name or an array element.
 #[derive(Clone, Debug)]
-pub enum Slot<'a> {
+pub enum Contents<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
@@ -53,7 +53,7 @@ pub struct Array<'a> {
     /// Number of elements in each dimension of the array.
     pub sizes: Box<[usize]>,
     /// Elements in row-major order: the last index varies fastest. `None` for an element without a value.
-    pub items: Vec<Option<Slot<'a>>>,
+    pub items: Vec<Option<Contents<'a>>>,
     /// Key of each element of a dictionary; `None` for an array.
     pub keys: Option<Vec<Rc<str>>>,
 }
@@ -64,17 +64,18 @@ impl Array<'_> {
         self.key_index(key).is_some_and(|i| self.items[i].is_some())
     }
 
-    /// Returns the index of the dictionary's element at `key`.
+    /// Returns the index of the dictionary's element at `key`; `None` if the dictionary has no such key.
     pub fn key_index(&self, key: &str) -> Option<usize> {
         self.keys.iter().flatten().position(|k| **k == *key)
     }
 }
 
-impl<'a> Slot<'a> {
-    /// Returns the element at the end of a path through nested arrays.
-    pub fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
-        path.iter().try_fold(self, |slot, &i| match slot {
-            Slot::Array(array) => array.items.get(i)?.as_ref(),
+impl<'a> Contents<'a> {
+    /// Returns the element at the end of a path through nested arrays; `None` if the path leaves the arrays or the
+    /// element has no value.
+    pub fn element(&self, path: &[usize]) -> Option<&Contents<'a>> {
+        path.iter().try_fold(self, |contents, &i| match contents {
+            Contents::Array(array) => array.items.get(i)?.as_ref(),
             _ => None,
         })
     }
@@ -85,7 +86,7 @@ const MAX_ALIASES: usize = 100;
 
 struct Binding<'a> {
     level: u32,
-    slot: Slot<'a>,
+    contents: Contents<'a>,
     /// Warnings about the declaration, which the first use of the name reports.
     first_use_warnings: Option<Rc<[Diagnostic]>>,
 }
@@ -168,13 +169,14 @@ impl<'a> Scopes<'a> {
         self.follow_aliases_from(symbol, binding_index)
     }
 
-    /// Follows the aliases that begin at the binding with the index `binding_index` of a symbol.
+    /// Follows the aliases that begin at the binding with the index `binding_index` of a symbol; `None` if the target
+    /// is lost or the aliases form a circle.
     fn follow_aliases_from(&self, symbol: Symbol, binding_index: usize) -> Option<(Symbol, usize, Option<&Path>)> {
         let (mut symbol, mut binding_index, mut path) = (symbol, binding_index, None);
         // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.
         for _ in 0..MAX_ALIASES {
-            match &self.bindings[symbol.0 as usize].get(binding_index)?.slot {
-                Slot::Alias(lvalue) => {
+            match &self.bindings[symbol.0 as usize].get(binding_index)?.contents {
+                Contents::Alias(lvalue) => {
                     (symbol, binding_index, path) = (lvalue.symbol, lvalue.binding_index, lvalue.path.as_ref())
                 }
                 _ => return Some((symbol, binding_index, path)),
@@ -184,61 +186,63 @@ impl<'a> Scopes<'a> {
     }
 
     /// Binds a parameter at the level that was just entered. Of two parameters with one name, the last is bound.
-    pub fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
+    pub fn bind_parameter(&mut self, symbol: Symbol, contents: Contents<'a>) {
         let level = self.level();
         match self.binding_stack(symbol).last_mut() {
-            Some(binding) if binding.level == level => binding.slot = slot,
-            _ => self.push(symbol, level, slot, vec![]),
+            Some(binding) if binding.level == level => binding.contents = contents,
+            _ => self.push(symbol, level, contents, vec![]),
         }
     }
 
-    fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
-        self.binding_stack(symbol).push(Binding { level, slot, first_use_warnings: non_empty(first_use_warnings) });
+    fn push(&mut self, symbol: Symbol, level: u32, contents: Contents<'a>, first_use_warnings: Vec<Diagnostic>) {
+        self.binding_stack(symbol).push(Binding { level, contents, first_use_warnings: non_empty(first_use_warnings) });
         // A binding is made at the innermost level or at the global one.
         if level > 0 {
             self.names.push(symbol);
         }
     }
 
-    pub fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
+    /// Returns the contents of a name's innermost binding, after following aliases; `None` if the name is not bound or
+    /// an aliased element has no value.
+    pub fn get(&self, symbol: Symbol) -> Option<&Contents<'a>> {
         let (symbol, binding_index, path) = self.symbol_binding_and_path(symbol)?;
-        let slot = &self.bindings[symbol.0 as usize][binding_index].slot;
-        path.map_or(Some(slot), |path| slot.element(path))
+        let contents = &self.bindings[symbol.0 as usize][binding_index].contents;
+        path.map_or(Some(contents), |path| contents.element(path))
     }
 
     /// Returns the contents of a location; `None` if the location has no value.
-    pub fn slot_at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
-        self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.binding_index)?.slot.element(lvalue.path())
+    pub fn contents_at(&self, lvalue: &LValue) -> Option<&Contents<'a>> {
+        self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.binding_index)?.contents.element(lvalue.path())
     }
 
-    /// Sets an array element, or clears it if `slot` is `None`. Does nothing if the location is no array element.
-    pub fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
+    /// Sets an array element, or clears it if `contents` is `None`. Does nothing if the location is no array element.
+    pub fn set_element(&mut self, lvalue: &LValue, contents: Option<Contents<'a>>) {
         let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.binding_index));
         let Some((binding, (last, path))) = binding.zip(lvalue.path().split_last()) else { return };
-        let mut target = &mut binding.slot;
+        let mut target = &mut binding.contents;
         for &i in path {
-            let Slot::Array(array) = target else { return };
+            let Contents::Array(array) = target else { return };
             let Some(Some(inner)) = Rc::make_mut(array).items.get_mut(i) else { return };
             target = inner;
         }
-        if let Slot::Array(array) = target
+        if let Contents::Array(array) = target
             && let Some(item) = Rc::make_mut(array).items.get_mut(*last)
         {
-            *item = slot;
+            *item = contents;
         }
     }
 
-    /// Returns the dictionary at an assignable location, if there is one.
+    /// Returns the dictionary at an assignable location; `None` if another value or none is at the location.
     pub fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
-        match self.slot_at(lvalue)? {
-            Slot::Array(array) if array.keys.is_some() => Some(array),
+        match self.contents_at(lvalue)? {
+            Contents::Array(array) if array.keys.is_some() => Some(array),
             _ => None,
         }
     }
 
     /// Adds an element without a value to the dictionary at a location, and returns its index.
     pub fn add_key(&mut self, dictionary: &LValue, key: &str) -> usize {
-        let Some(Slot::Array(array)) = self.at_mut(dictionary) else { return 0 };
+        let Some(Contents::Array(array)) = self.at_mut(dictionary) else { return 0 };
         let array = Rc::make_mut(array);
         array.keys.get_or_insert_default().push(key.into());
         array.items.push(None);
@@ -246,13 +250,14 @@ impl<'a> Scopes<'a> {
         array.items.len() - 1
     }
 
-    fn at_mut(&mut self, lvalue: &LValue) -> Option<&mut Slot<'a>> {
-        let mut slot = &mut self.bindings.get_mut(lvalue.symbol.0 as usize)?.get_mut(lvalue.binding_index)?.slot;
+    fn at_mut(&mut self, lvalue: &LValue) -> Option<&mut Contents<'a>> {
+        let mut contents =
+            &mut self.bindings.get_mut(lvalue.symbol.0 as usize)?.get_mut(lvalue.binding_index)?.contents;
         for &i in lvalue.path() {
-            let Slot::Array(array) = slot else { return None };
-            slot = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
+            let Contents::Array(array) = contents else { return None };
+            contents = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
         }
-        Some(slot)
+        Some(contents)
     }
 
     /// Returns the warnings about a name's declaration that the first use of the name is to report; `None` without any.
@@ -263,16 +268,16 @@ impl<'a> Scopes<'a> {
 
     /// Binds a name at the innermost level, as `#local` does. If the name is a parameter that refers to a location of
     /// the caller, this location is set instead.
-    pub fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+    pub fn set_local(&mut self, symbol: Symbol, contents: Contents<'a>, first_use_warnings: Vec<Diagnostic>) {
         let level = self.level();
         if self.binding_stack(symbol).last().is_none_or(|b| b.level != level) {
-            return self.push(symbol, level, slot, first_use_warnings);
+            return self.push(symbol, level, contents, first_use_warnings);
         }
         let own = self.binding_stack(symbol).len() - 1;
         // If the target of a parameter's alias is gone, the parameter becomes a binding of its own.
         match self.resolve(symbol) {
-            Some(lvalue) => self.replace(&lvalue, slot, first_use_warnings),
-            None => self.rebind(symbol, own, slot, first_use_warnings),
+            Some(lvalue) => self.replace(&lvalue, contents, first_use_warnings),
+            None => self.rebind(symbol, own, contents, first_use_warnings),
         }
     }
 
@@ -281,44 +286,53 @@ impl<'a> Scopes<'a> {
     pub fn rebind_innermost_or_add_global(
         &mut self,
         symbol: Symbol,
-        slot: Slot<'a>,
+        contents: Contents<'a>,
         first_use_warnings: Vec<Diagnostic>,
     ) {
         match self.symbol_binding_and_path(symbol) {
-            Some((symbol, binding_index, None)) => self.rebind(symbol, binding_index, slot, first_use_warnings),
+            Some((symbol, binding_index, None)) => self.rebind(symbol, binding_index, contents, first_use_warnings),
             Some((symbol, binding_index, Some(path))) => {
                 let lvalue = LValue { symbol, binding_index, path: Some(path.clone()) };
-                self.set_element(&lvalue, Some(slot));
+                self.set_element(&lvalue, Some(contents));
             }
             None => match self.binding_stack(symbol).len() {
-                0 => self.push(symbol, 0, slot, first_use_warnings),
-                n => self.rebind(symbol, n - 1, slot, first_use_warnings),
+                0 => self.push(symbol, 0, contents, first_use_warnings),
+                n => self.rebind(symbol, n - 1, contents, first_use_warnings),
             },
         }
     }
 
     /// Binds a name at `level`, as `#declare global.A` and `#declare local.A` (3.8) do.
-    pub fn set_at_level(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+    pub fn set_at_level(
+        &mut self,
+        symbol: Symbol,
+        level: u32,
+        contents: Contents<'a>,
+        first_use_warnings: Vec<Diagnostic>,
+    ) {
         if level == self.level() {
-            return self.set_local(symbol, slot, first_use_warnings);
+            return self.set_local(symbol, contents, first_use_warnings);
         }
         let stack = self.binding_stack(symbol);
         match stack.iter().position(|binding| binding.level >= level) {
             Some(binding_index) if stack[binding_index].level == level => {
-                self.rebind(symbol, binding_index, slot, first_use_warnings)
+                self.rebind(symbol, binding_index, contents, first_use_warnings)
             }
             Some(binding_index) => {
-                stack.insert(binding_index, Binding { level, slot, first_use_warnings: non_empty(first_use_warnings) });
+                stack.insert(
+                    binding_index,
+                    Binding { level, contents, first_use_warnings: non_empty(first_use_warnings) },
+                );
                 self.shift_aliases_after_insertion(symbol, binding_index);
             }
-            None => self.push(symbol, level, slot, first_use_warnings),
+            None => self.push(symbol, level, contents, first_use_warnings),
         }
     }
 
     /// Corrects the aliases of a symbol's bindings after another binding was inserted at this place of the stack.
     fn shift_aliases_after_insertion(&mut self, symbol: Symbol, inserted_at: usize) {
         for binding in self.bindings.iter_mut().flatten() {
-            if let Slot::Alias(lvalue) = &mut binding.slot
+            if let Contents::Alias(lvalue) = &mut binding.contents
                 && lvalue.symbol == symbol
                 && lvalue.binding_index >= inserted_at
             {
@@ -327,18 +341,24 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    fn replace(&mut self, lvalue: &LValue, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+    fn replace(&mut self, lvalue: &LValue, contents: Contents<'a>, first_use_warnings: Vec<Diagnostic>) {
         if lvalue.path.is_none() {
-            self.rebind(lvalue.symbol, lvalue.binding_index, slot, first_use_warnings);
+            self.rebind(lvalue.symbol, lvalue.binding_index, contents, first_use_warnings);
         } else {
-            self.set_element(lvalue, Some(slot));
+            self.set_element(lvalue, Some(contents));
         }
     }
 
     #[inline]
-    fn rebind(&mut self, symbol: Symbol, binding_index: usize, slot: Slot<'a>, first_use_warnings: Vec<Diagnostic>) {
+    fn rebind(
+        &mut self,
+        symbol: Symbol,
+        binding_index: usize,
+        contents: Contents<'a>,
+        first_use_warnings: Vec<Diagnostic>,
+    ) {
         let binding = &mut self.bindings[symbol.0 as usize][binding_index];
-        (binding.slot, binding.first_use_warnings) = (slot, non_empty(first_use_warnings));
+        (binding.contents, binding.first_use_warnings) = (contents, non_empty(first_use_warnings));
     }
 
     /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays. Returns
@@ -370,7 +390,7 @@ impl<'a> Scopes<'a> {
     /// Returns the faults of all failed declarations that are bound at present, whether the scene has used the names or
     /// not.
     pub fn faults_of_failed_declarations(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
-        self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
+        self.bindings.iter().flatten().flat_map(|b| faults_of(&b.contents))
     }
 }
 
@@ -379,11 +399,11 @@ fn non_empty(first_use_warnings: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
     if first_use_warnings.is_empty() { None } else { Some(first_use_warnings.into()) }
 }
 
-/// Returns the faults of failed declarations in a slot, including those in arrays.
-fn faults_of<'s>(slot: &'s Slot) -> Box<dyn Iterator<Item = &'s Diagnostic> + 's> {
-    match slot {
-        Slot::Faulty(faults) => Box::new(faults.iter()),
-        Slot::Array(array) => Box::new(array.items.iter().flatten().flat_map(faults_of)),
+/// Returns the faults of failed declarations in a name's contents, including those in arrays.
+fn faults_of<'s>(contents: &'s Contents) -> Box<dyn Iterator<Item = &'s Diagnostic> + 's> {
+    match contents {
+        Contents::Faulty(faults) => Box::new(faults.iter()),
+        Contents::Array(array) => Box::new(array.items.iter().flatten().flat_map(faults_of)),
         _ => Box::new(std::iter::empty()),
     }
 }

@@ -22,7 +22,7 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// Returns the value of one of the animation's constants.
+    /// Returns the value of one of the animation's constants; `None` for other names.
     pub(in crate::interpreter) fn animation_constant(&self, name: &str) -> Option<f64> {
         Some(match name {
             "clock" => self.clock,

@@ -1,6 +1,6 @@
 //! Tests whether an expression of the syntax tree can be evaluated as a whole, or must be split into tokens.
 
-use super::{Evaluator, Slot};
+use super::{Contents, Evaluator};
 use crate::syntax::ast::*;
 use crate::value::Value;
 
@@ -16,9 +16,9 @@ impl Evaluator<'_> {
         let any = |elements: &[Element]| elements.iter().any(|element| self.element_needs_tokens(element));
         match &e.kind {
             ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
-                Some(Slot::Value(value)) if is_callable(value) => any(arguments),
+                Some(Contents::Value(value)) if is_callable(value) => any(arguments),
                 // A value before a parenthesis is no call: `plane { z (-6) }`.
-                Some(Slot::Value(_) | Slot::Macro(_)) => true,
+                Some(Contents::Value(_) | Contents::Macro(_)) => true,
                 Some(_) => false,
                 None => self.is_constant(*name),
             },
@@ -57,7 +57,7 @@ impl Evaluator<'_> {
     pub fn is_plain_argument(&self, element: &Element) -> bool {
         let ElementKind::Expr(e) = &element.kind else { return false };
         match &e.kind {
-            ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
+            ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Contents::Value(_))),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
             ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => {
                 !e.has_bare_condition() && !self.must_split_into_tokens(e)
@@ -74,7 +74,7 @@ impl Evaluator<'_> {
 
     /// True if a `[` after the name begins an index; false for a declared thing, where it begins a map's entry.
     pub fn bracket_begins_index(&self, symbol: Symbol) -> bool {
-        !matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
+        !matches!(self.scopes.get(symbol), Some(Contents::Value(Value::Thing(_))))
     }
 
     /// True if the expression ends with the name of a function, spline or macro, so that arguments may follow.
@@ -86,8 +86,8 @@ impl Evaluator<'_> {
         }
         match last.kind {
             ExprKind::Name(name) => match self.scopes.get(name) {
-                Some(Slot::Value(value)) => is_callable(value),
-                slot => matches!(slot, Some(Slot::Macro(_))),
+                Some(Contents::Value(value)) => is_callable(value),
+                contents => matches!(contents, Some(Contents::Macro(_))),
             },
             _ => false,
         }

@@ -85,7 +85,7 @@ impl<'a> Interpreter<'a> {
         let at = self.take_token()?;
         let mut kind = SplineKind::Linear;
         let mut points: Vec<(f64, VecN)> = vec![];
-        if let Some(declared) = ReaderExt::thing::<Spline>(self)? {
+        if let Some(declared) = ReaderExt::take_declared::<Spline>(self)? {
             kind = declared.kind;
             points = declared.points().collect();
         }

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
 fn context_without_surface(p: &[f64], noise: &SceneNoise) -> TextureContext {
-    let generator = NoiseGenerator::from_generator_number(f64::from(noise.load(Ordering::Relaxed)));
+    let generator = NoiseGenerator::from_number_modulo_4(f64::from(noise.load(Ordering::Relaxed)));
     TextureContext::without_surface(DVec3::new(p[0], p[1], p[2]), generator)
 }
 

@@ -4,7 +4,7 @@ use super::{Compiler, compile_series_call};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Id, Operation};
 use crate::interpreter::Interpreter;
-use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::Contents;
 use crate::interpreter::evaluator::as_float;
 use crate::interpreter::evaluator::is_callable;
 use crate::interpreter::stream::Token;
@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
                     ExprKind::Name(symbol) => {
                         self.stream.advance();
                         let callee = match self.evaluator.scopes().get(*symbol) {
-                            Some(Slot::Value(value)) => is_callable(value),
+                            Some(Contents::Value(value)) => is_callable(value),
                             _ => false,
                         };
                         if callee && self.call_follows()? {
@@ -87,8 +87,8 @@ impl<'a> Interpreter<'a> {
                     Ok((id, joined_span_if_near(span, end)))
                 }
                 Token::Element(_) => {
-                    let slot = self.take_array_element()?;
-                    let value = self.slot_value(slot, span)?;
+                    let contents = self.take_array_element()?;
+                    let value = self.value_of_contents(contents, span)?;
                     if is_callable(&value) && self.call_follows()? {
                         return self.compile_call_by_tokens(c, &value, span);
                     }

@@ -36,7 +36,7 @@ impl<'a> Interpreter<'a> {
         // A parsed group ends with the bracket that a message may speak of.
         let whole = self.stream.next_raw_element().map_or(span, |element| element.span);
         self.stream.advance();
-        let mode = self.stream.stop_deferring();
+        let mode = self.stream.stop_deferring_directives();
         let own_words = word.map_or(&[][..], crate::syntax::word::durer_words_of_block);
         let frame_count = self.stream.frames().len();
         let mut opened = OpenBracket { word, span: name, alone: None, bracket, own_words, frame_count, mode };
@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<T> {
         let checkpoint = self.stream.checkpoint();
         self.stream.push_elements(elements, Some(bracket), span, false);
-        let mode = self.stream.stop_deferring();
+        let mode = self.stream.stop_deferring_directives();
         let frame_count = self.stream.frames().len();
         self.stream.push_bracket(OpenBracket {
             word: None,

@@ -41,7 +41,7 @@ impl<'a> Interpreter<'a> {
                 FrameKind::File => return true,
                 FrameKind::Piece | FrameKind::Branch | FrameKind::Macro(_) | FrameKind::Include | FrameKind::Switch => {
                 }
-                FrameKind::While(_) | FrameKind::For { .. } => return self.stream.mode().defers,
+                FrameKind::While(_) | FrameKind::For { .. } => return self.stream.mode().defers_directives,
             }
             let Some((last, rest)) = outer.split_last() else { return true };
             match last.next() {
@@ -58,15 +58,15 @@ impl<'a> Interpreter<'a> {
             ElementKind::Group(_) | ElementKind::Entry(_) | ElementKind::Function(_) => true,
             ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)) => !compares,
             ElementKind::Punctuation(mark) => matches!(mark, Punctuation::Close(_)),
-            ElementKind::Directive(_) => self.stream.mode().defers,
+            ElementKind::Directive(_) => self.stream.mode().defers_directives,
             ElementKind::Numbers(list) => list.width(0) > 1 || !list.data[0].is_sign_negative(),
-            ElementKind::Expr(e) if self.evaluator.is_macro_call(e) => self.stream.mode().defers,
+            ElementKind::Expr(e) if self.evaluator.is_macro_call(e) => self.stream.mode().defers_directives,
             ElementKind::Expr(e) => !e.calls && !begins_with_sign(e) && !begins_with_parenthesis(e),
         }
     }
 
     /// Returns the token directly after the value that was just read. `None` after a comma, before a `;` or the end of
-    /// the file, and before a directive or macro call that must wait ([`super::Mode::defers`]).
+    /// the file, and before a directive or macro call that must wait ([`super::Mode::defers_directives`]).
     pub fn peek_after_value(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.look_ahead().is_some() {
@@ -79,9 +79,11 @@ impl<'a> Interpreter<'a> {
             let mode = self.stream.mode();
             match frame.next().map(|e| &e.kind) {
                 Some(ElementKind::Comma | ElementKind::Semicolon) => return Ok(None),
-                Some(ElementKind::Directive(_)) if mode.defers => return Ok(None),
-                Some(ElementKind::Expr(e)) if mode.defers && self.evaluator.is_macro_call(e) => return Ok(None),
-                None if frame.closer().is_none() && mode.defers => match frame.kind() {
+                Some(ElementKind::Directive(_)) if mode.defers_directives => return Ok(None),
+                Some(ElementKind::Expr(e)) if mode.defers_directives && self.evaluator.is_macro_call(e) => {
+                    return Ok(None);
+                }
+                None if frame.closer().is_none() && mode.defers_directives => match frame.kind() {
                     FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch | FrameKind::Include
                         if self.stream.frames().len() > mode.frame_floor =>
                     {

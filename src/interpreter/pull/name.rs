@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
-use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::Contents;
 use crate::interpreter::stream::{BlockName, FrameKind, Token};
 use crate::syntax::ast::*;
 use crate::value::Value;
@@ -42,7 +42,7 @@ impl<'a> Interpreter<'a> {
     /// Returns the token of a name alone: a word that only durer has, an unknown block's name, an array's element, or a
     /// value.
     fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
-        if let Some(word) = self.stream.durer_only_word(symbol) {
+        if let Some(word) = self.stream.durer_only_word_of_open_block(symbol) {
             return self.word_token(word, false, element).map(Some);
         }
         let Some(frame) = self.stream.innermost() else { return Ok(None) };
@@ -53,9 +53,9 @@ impl<'a> Interpreter<'a> {
             }
             Some(ElementKind::Punctuation(Punctuation::Open(Bracket::Square))) => {
                 match self.evaluator.scopes().get(symbol) {
-                    Some(Slot::Array(_)) => true,
+                    Some(Contents::Array(_)) => true,
                     // The fault is that this value has no elements.
-                    Some(Slot::Value(value)) => !matches!(value, Value::Thing(_)),
+                    Some(Contents::Value(value)) => !matches!(value, Value::Thing(_)),
                     _ => false,
                 }
             }

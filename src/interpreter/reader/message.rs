@@ -1,6 +1,6 @@
 //! Errors about the next token: "expected …, found …", unclosed brackets, unknown words.
 
-use super::super::evaluator::Slot;
+use super::super::evaluator::Contents;
 use super::super::stream::{BlockName, OpenBracket, Token};
 use super::super::{Interpreter, reporter::hints};
 use crate::camera::words::{LECTURE, POVRAY};
@@ -27,8 +27,10 @@ impl Interpreter<'_> {
             Ok(Token::Word(word) | Token::Callee(word)) => format!("`{word}`"),
             Ok(Token::Block(name)) => format!("`{} {{`", self.inputs.sources.snippet(name.span)),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. })) => {
-                let slot = self.evaluator.scopes().get(*symbol);
-                if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.evaluator.is_constant(*symbol) {
+                let contents = self.evaluator.scopes().get(*symbol);
+                if matches!(contents, Some(Contents::Faulty(_)))
+                    || contents.is_none() && !self.evaluator.is_constant(*symbol)
+                {
                     let Err(fault) = self.evaluate_name(*symbol, *span) else {
                         return self.expected_error(*span, expected, "a name");
                     };
@@ -47,11 +49,11 @@ impl Interpreter<'_> {
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
-                if let Some(slot @ Slot::Faulty(_)) =
-                    self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue)) =>
+                if let Some(contents @ Contents::Faulty(_)) =
+                    self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().contents_at(lvalue)) =>
             {
-                let slot = slot.clone();
-                return match self.slot_value(slot, span) {
+                let contents = contents.clone();
+                return match self.value_of_contents(contents, span) {
                     Err(fault) => *fault,
                     Ok(_) => self.expected_error(span, expected, "an element"),
                 };
@@ -198,7 +200,7 @@ impl Interpreter<'_> {
                 return self.unknown_name_error(*symbol, span, block, takes);
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
-                if matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Faulty(_))) =>
+                if matches!(self.evaluator.scopes().get(*symbol), Some(Contents::Faulty(_))) =>
             {
                 return self.unexpected_token(block);
             }

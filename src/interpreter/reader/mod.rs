@@ -9,7 +9,7 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::evaluator::{Slot, TOLERANCE, as_float, as_vector, not_text_error};
+use super::evaluator::{Contents, TOLERANCE, as_float, as_vector, not_text_error};
 use super::stream::Token;
 use super::{Interpreter, reporter::hints};
 use crate::color::Color;
@@ -71,8 +71,8 @@ impl Reader for Interpreter<'_> {
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_kind_of_name(*symbol),
             Token::Element(_) => {
-                match self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue)) {
-                    Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
+                match self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().contents_at(lvalue)) {
+                    Some(Contents::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                     _ => Next::Value,
                 }
             }
@@ -119,12 +119,12 @@ impl Reader for Interpreter<'_> {
                 Some(self.evaluate_name(*symbol, span)?)
             }
             Token::Function(_) => match self.read_rvalue()? {
-                Slot::Value(value) => Some(value),
+                Contents::Value(value) => Some(value),
                 _ => None,
             },
             Token::Element(_) => {
-                let slot = self.take_array_element()?;
-                Some(self.slot_value(slot, span)?)
+                let contents = self.take_array_element()?;
+                Some(self.value_of_contents(contents, span)?)
             }
             _ => None,
         };
@@ -257,11 +257,12 @@ impl Reader for Interpreter<'_> {
             Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 matches!(self.evaluator.next_kind_of_name(*symbol), Next::Value)
-                    && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
+                    && !matches!(self.evaluator.scopes().get(*symbol), Some(Contents::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue));
-                matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
+                let contents =
+                    self.stream.array_element().and_then(|lvalue| self.evaluator.scopes().contents_at(lvalue));
+                matches!(contents, Some(Contents::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
             Token::Punctuation(mark) => matches!(mark, Punctuation::Not | Punctuation::Operator(_)),

@@ -115,7 +115,7 @@ impl Interpreter<'_> {
             Next::Word("transform") => {
                 // `transform T`, as in old scenes.
                 self.stream.advance();
-                let declared = ReaderExt::thing::<TransformThing>(self)?;
+                let declared = ReaderExt::take_declared::<TransformThing>(self)?;
                 declared.map(|t| Some(Box::new(t.0))).ok_or_else(|| Box::new(self.unexpected_token("a transform")))
             }
             Next::Block("transform") => {
@@ -124,7 +124,7 @@ impl Interpreter<'_> {
                 self.leave_block()?;
                 Ok(Some(Box::new(all)))
             }
-            Next::Thing("transform") => Ok(ReaderExt::thing::<TransformThing>(self)?.map(|t| Box::new(t.0))),
+            Next::Thing("transform") => Ok(ReaderExt::take_declared::<TransformThing>(self)?.map(|t| Box::new(t.0))),
             _ => Ok(None),
         }
     }

@@ -160,7 +160,7 @@ impl SceneBuilder {
         let version = self.stated_version();
         let generator = self.noise_generator.load(Ordering::Relaxed);
         let settings = &mut self.scene.settings;
-        settings.noise_generator.get_or_insert(NoiseGenerator::from_generator_number(f64::from(generator)));
+        settings.noise_generator.get_or_insert(NoiseGenerator::from_number_modulo_4(f64::from(generator)));
         settings.opacity_by_color = compat::has_opacity_by_brightest_channel(version);
         if let Some(radiosity) = &mut settings.radiosity {
             radiosity.keeps_ambient = compat::has_ambient_with_radiosity(version);

@@ -42,10 +42,11 @@ impl<'a> TokenStream<'a> {
         self.open_brackets.len()
     }
 
-    /// Enters the reading mode inside of brackets, where no directive is deferred, and returns the mode outside.
-    pub fn stop_deferring(&mut self) -> Mode {
+    /// Enters the reading mode inside of brackets, where no directive or macro call is deferred, and returns the mode
+    /// outside.
+    pub fn stop_deferring_directives(&mut self) -> Mode {
         let outer = self.mode;
-        self.mode.defers = false;
+        self.mode.defers_directives = false;
         outer
     }
 
@@ -68,8 +69,8 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Returns the keyword with the spelling of a name, if only durer has the keyword and the innermost open block
-    /// takes it.
-    pub fn durer_only_word(&self, symbol: Symbol) -> Option<&'static str> {
+    /// takes it; `None` for any other name.
+    pub fn durer_only_word_of_open_block(&self, symbol: Symbol) -> Option<&'static str> {
         let words = self.open_brackets.last()?.own_words;
         if words.is_empty() {
             return None;
@@ -88,8 +89,8 @@ impl<'a> TokenStream<'a> {
             first = match &first.kind {
                 ExprKind::Chain(chain) => &chain.first,
                 ExprKind::Choice(parts) => &parts[0],
-                ExprKind::Call(symbol, _) => return self.durer_only_word(*symbol).is_some(),
-                ExprKind::Name(symbol) => return self.durer_only_word(*symbol).is_some(),
+                ExprKind::Call(symbol, _) => return self.durer_only_word_of_open_block(*symbol).is_some(),
+                ExprKind::Name(symbol) => return self.durer_only_word_of_open_block(*symbol).is_some(),
                 _ => return false,
             };
         }
@@ -100,8 +101,8 @@ impl<'a> TokenStream<'a> {
         self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
     }
 
-    /// Returns the error for the innermost open bracket that has no closing bracket in its file. Other errors inside
-    /// the bracket follow from this one.
+    /// Returns the error for the innermost open bracket that has no closing bracket in its file; `None` if all have
+    /// one. Other errors inside the bracket follow from this one.
     pub fn unclosed_bracket_error(&self) -> Option<Diagnostic> {
         let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
         let opened = self.open_brackets.iter().rev().find(unclosed)?;
@@ -125,8 +126,8 @@ impl<'a> TokenStream<'a> {
         self.with_call_trace(d)
     }
 
-    /// Returns the error for the brace whose `}` is missing, judged by the words of its block and the indentation.
-    /// `span` is that of a brace that is open at the end of its file.
+    /// Returns the error for the brace whose `}` is missing, judged by the words of its block and the indentation;
+    /// `None` without evidence. `span` is that of a brace that is open at the end of its file.
     fn blamed_brace_error(&self, span: Span) -> Option<Diagnostic> {
         let (file, _) = self.inputs.sources.locate(span)?;
         blame::unclosed_brace_error(&Outline::read(self.inputs.sources, file))

@@ -15,7 +15,7 @@ pub struct StackFrame<'a> {
     kind: FrameKind<'a>,
     /// Span of the construct that the frame reads: block, call, directive.
     span: Span,
-    /// Closing bracket that follows the frame's last element.
+    /// Closing bracket that follows the frame's last element; `None` if no bracket follows.
     pub(super) closer: Option<Bracket>,
     /// True if a comma follows the frame's last token.
     pub(super) comma: bool,
@@ -54,7 +54,7 @@ impl<'a> StackFrame<'a> {
         Self { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false }
     }
 
-    /// Returns the frame's element at the read position.
+    /// Returns the frame's element at the read position, which stays; `None` after the last element.
     #[inline]
     pub fn next(&self) -> Option<&'a Element> {
         self.elements.get(self.at)
@@ -79,7 +79,7 @@ impl<'a> StackFrame<'a> {
         self.span
     }
 
-    /// Returns the closing bracket that follows the frame's last element.
+    /// Returns the closing bracket that follows the frame's last element; `None` if no bracket follows.
     pub fn closer(&self) -> Option<Bracket> {
         self.closer
     }

@@ -54,7 +54,7 @@ pub(super) struct TokenStream<'a> {
 pub(super) struct Mode {
     /// True if directives and macro calls after a value run only after the value has been used: in declarations, array
     /// elements, macro arguments and conditions.
-    pub(super) defers: bool,
+    pub(super) defers_directives: bool,
     /// Number of frames on the stack when the present declaration or directive began; deferred reading pops none of
     /// these frames.
     pub(super) frame_floor: usize,
@@ -113,7 +113,7 @@ impl<'a> TokenStream<'a> {
         self.comma |= comma;
     }
 
-    /// Returns the next token if it is known: a pushed-back token or the look-ahead.
+    /// Returns the next token if it is known: a pushed-back token or the look-ahead; `None` before it is read.
     #[inline(always)]
     pub(super) fn look_ahead(&self) -> Option<&Token<'a>> {
         match self.pushed_back.last() {
@@ -169,7 +169,7 @@ impl<'a> TokenStream<'a> {
         self.frames.last().filter(|_| !has_pushed_back).and_then(StackFrame::next)
     }
 
-    /// Consumes a name that comes next, even the name of a macro.
+    /// Consumes and returns a name that comes next, even the name of a macro; `None` if no name comes next.
     pub(super) fn take_name(&mut self) -> Option<(Symbol, Span)> {
         let element = self.next_raw_element()?;
         let ElementKind::Expr(e) = &element.kind else { return None };
@@ -178,7 +178,8 @@ impl<'a> TokenStream<'a> {
         Some((symbol, element.span))
     }
 
-    /// Consumes a name that comes next if a closing bracket follows it.
+    /// Consumes and returns a name that comes next, if a closing bracket follows it; otherwise returns `None` and
+    /// consumes nothing.
     pub(super) fn take_name_before_closer(&mut self) -> Option<(Symbol, Span)> {
         let frame = self.frames.last()?;
         match frame.element_after_next().map(|e| &e.kind) {
@@ -189,14 +190,14 @@ impl<'a> TokenStream<'a> {
         self.take_name()
     }
 
-    /// Returns the span of a `;` that comes next.
+    /// Returns the span of a `;` that comes next, which is not consumed; `None` if no `;` comes next.
     pub(super) fn next_semicolon_span(&self) -> Option<Span> {
         self.next_raw_element()
             .filter(|element| matches!(element.kind, ElementKind::Semicolon))
             .map(|element| element.span)
     }
 
-    /// Returns the expression that comes next, if a `;` follows the expression.
+    /// Returns the expression that comes next, if a `;` follows it; consumes nothing. `None` otherwise.
     #[inline]
     pub(super) fn expression_before_semicolon(&self) -> Option<&'a Expr> {
         match self.frames.last()?.unread() {
@@ -214,7 +215,7 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Consumes the directive at the read position, if it is one.
+    /// Consumes and returns the directive at the read position; `None` if no directive is there.
     #[inline(always)]
     pub(super) fn take_directive(&mut self) -> Option<(&'a Directive, Span)> {
         let frame = self.frames.last_mut()?;
@@ -269,7 +270,8 @@ impl<'a> TokenStream<'a> {
         frame.at += 1;
     }
 
-    /// Consumes and returns the next item of a list of literals, unless it is the first or the last item of the list.
+    /// Consumes and returns the next item of a list of literals; `None` for the first and last item of the list, and
+    /// for any other token.
     pub(super) fn take_middle_list_item(&mut self) -> Option<&'a [f64]> {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return None;

@@ -19,7 +19,7 @@ impl<'a> Interpreter<'a> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
         let waits =
             matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
-        let next = self.in_mode(|mode| mode.defers = waits, Self::peek_after_value);
+        let next = self.in_mode(|mode| mode.defers_directives = waits, Self::peek_after_value);
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.split_to_parenthesis()?;
         }

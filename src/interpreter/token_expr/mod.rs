@@ -127,7 +127,7 @@ impl<'a> Interpreter<'a> {
     /// Reads a value. With `compares`, as in a condition, `<` after an operand is a comparison and begins no vector.
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        let may_be_called = |e: &Expr| self.stream.mode().defers && self.evaluator.ends_with_callable(e);
+        let may_be_called = |e: &Expr| self.stream.mode().defers_directives && self.evaluator.ends_with_callable(e);
         if self.next_value_is_complete(compares) && !matches!(token, Token::Expr(e) if may_be_called(e)) {
             match token {
                 Token::Expr(e) if compares || !e.has_bare_condition() => {
@@ -165,8 +165,8 @@ impl<'a> Interpreter<'a> {
                 Ok((numbers_value(data, span)?, span))
             }
             Token::Element(_) => {
-                let slot = self.take_array_element()?;
-                Ok((self.slot_value(slot, span)?, span))
+                let contents = self.take_array_element()?;
+                Ok((self.value_of_contents(contents, span)?, span))
             }
             Token::Punctuation(Punctuation::Operator(Operator::Less)) => self.read_vector(),
             Token::Open(Bracket::Paren, _) => {
@@ -256,7 +256,7 @@ impl<'a> Interpreter<'a> {
         let start = self.stream.next_span();
         self.stream.advance();
         let mut data = vec![];
-        let end = self.in_mode(|mode| mode.defers = false, |me| me.read_vector_to_end(start, &mut data))?;
+        let end = self.in_mode(|mode| mode.defers_directives = false, |me| me.read_vector_to_end(start, &mut data))?;
         self.stream.advance();
         Ok((data, joined_span_if_near(start, end)))
     }

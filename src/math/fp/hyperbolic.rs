@@ -53,7 +53,7 @@ pub fn tanh(x: f64) -> f64 {
     }
     let e = exp_pair(Pair::of(a));
     let inverse = Pair::of(1.0).over(e);
-    e.plus(inverse.negative()).over(e.plus(inverse)).value().copysign(x)
+    e.plus(inverse.negated()).over(e.plus(inverse)).value().copysign(x)
 }
 
 /// Inverse hyperbolic sine of `x`.

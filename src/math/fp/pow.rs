@@ -216,27 +216,30 @@ impl Pair {
         Self { high, low: ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 }
     }
 
+    /// Returns the sum of two pairs.
     pub const fn plus(self, other: Self) -> Self {
         let sum = Self::sum(self.high, other.high);
         Self::sum(sum.high, sum.low + (self.low + other.low))
     }
 
+    /// Returns the product of two pairs.
     pub const fn times(self, other: Self) -> Self {
         let product = Self::product(self.high, other.high);
         Self::sum(product.high, product.low + (self.high * other.low + self.low * other.high))
     }
 
-    /// Returns the pair of a number.
+    /// Returns the pair whose value is the number, exactly.
     pub const fn of(high: f64) -> Self {
         Self { high, low: 0.0 }
     }
 
-    /// Returns the sum of both numbers.
+    /// Returns the pair rounded to one number.
     pub const fn value(self) -> f64 {
         self.high + self.low
     }
 
-    pub const fn negative(self) -> Self {
+    /// Returns the pair with the opposite sign.
+    pub const fn negated(self) -> Self {
         Self { high: -self.high, low: -self.low }
     }
 
@@ -255,6 +258,7 @@ impl Pair {
         Self::sum(first, ((self.high - square.high) - square.low + self.low) / (2.0 * first))
     }
 
+    /// Returns the quotient of the pair and a number.
     const fn divided_by(self, divisor: f64) -> Self {
         let first = self.high / divisor;
         let product = Self::product(first, divisor);

@@ -67,8 +67,8 @@ impl NoiseGenerator {
     }
 
     /// Returns the noise generator for the last argument of `f_noise_generator`, which POV-Ray truncates to an integer
-    /// of two bits; 0 counts as 1.
-    pub fn from_generator_number(n: f64) -> Self {
+    /// of two bits: 2.7 and 6 count as 2, 7 as 3. Then 0 counts as 1.
+    pub fn from_number_modulo_4(n: f64) -> Self {
         match (n as i64) & 3 {
             2 => Self::RangeCorrected,
             3 => Self::Perlin,
@@ -175,7 +175,7 @@ pub fn noise_vector(p: DVec3) -> DVec3 {
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
     let (omega, count) = (turbulence.omega, turbulence.octaves);
     let step = |(sum, weight, done): (f64, f64, u32), noise| {
-        let sum = sum + weight * to_turbulence_range(noise, generator, done == 0);
+        let sum = sum + weight * stretch_octave(noise, generator, done == 0);
         continue_if(done + 1 < count, (sum, weight * omega, done + 1))
     };
     fold_octaves(p, turbulence.lambda, generator, (0.0, 1.0, 0), step).0
@@ -190,7 +190,7 @@ pub fn fold_clamped_octaves<T>(
     start: T,
     step: impl Fn(T, f64) -> ControlFlow<T, T>,
 ) -> T {
-    fold_octaves(p, 2.0, generator, start, |state, noise| step(state, to_turbulence_range(noise, generator, true)))
+    fold_octaves(p, 2.0, generator, start, |state, noise| step(state, stretch_octave(noise, generator, true)))
 }
 
 /// Continues a fold with a state if the condition is true, else ends it.
@@ -199,9 +199,10 @@ pub fn continue_if<T>(condition: bool, state: T) -> ControlFlow<T, T> {
     if condition { ControlFlow::Continue(state) } else { ControlFlow::Break(state) }
 }
 
-/// Maps [`noise`] to its range in turbulence; `clamp` clamps it to [0, 1].
+/// Stretches an octave of [`noise`] for turbulence: to 2 noise - 0.5 for generators 2 and 3, clamped to [0, 1] if
+/// `clamp` is true; returns the noise of generator 1 unchanged.
 #[inline(always)]
-fn to_turbulence_range(noise: f64, generator: NoiseGenerator, clamp: bool) -> f64 {
+fn stretch_octave(noise: f64, generator: NoiseGenerator, clamp: bool) -> f64 {
     match (generator, clamp) {
         (NoiseGenerator::Original, _) => noise,
         (_, true) => (2.0 * noise - 0.5).clamp(0.0, 1.0),
@@ -224,7 +225,7 @@ mod tests {
     fn numbers_choose_generators_as_in_pov_ray() {
         let numbers = [(0.0, Original), (1.9, Original), (2.7, RangeCorrected), (3.0, Perlin), (4.0, Original)];
         for (n, generator) in numbers.into_iter().chain([(-1.5, Perlin), (-2.0, RangeCorrected), (-0.5, Original)]) {
-            assert_eq!(NoiseGenerator::from_generator_number(n), generator, "{n}");
+            assert_eq!(NoiseGenerator::from_number_modulo_4(n), generator, "{n}");
         }
     }
 

@@ -114,7 +114,7 @@ impl Pattern {
                 let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
                 self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
                     0 => None,
-                    number => Some(NoiseGenerator::from_generator_number(f64::from(number))),
+                    number => Some(NoiseGenerator::from_number_modulo_4(f64::from(number))),
                 };
             }
             Next::Word("uv_mapping") => {
@@ -217,7 +217,7 @@ impl Pattern {
 pub fn read_noise_generator(r: &mut dyn Reader, least: f64) -> Result<Option<NoiseGenerator>> {
     let (at, n) = (r.span(), r.float()?);
     if (least..4.0).contains(&n) {
-        return Ok((n >= 1.0).then(|| NoiseGenerator::from_generator_number(n)));
+        return Ok((n >= 1.0).then(|| NoiseGenerator::from_number_modulo_4(n)));
     }
     let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
     Diagnostic::err(codes::BAD_ARGUMENT, at, message)

@@ -55,7 +55,7 @@ impl Warp {
         };
         loop {
             match r.peek_next()? {
-                Next::End => return warp.finish(span, r).map(|()| warp),
+                Next::End => return warp.complete_and_check(span, r).map(|()| warp),
                 next if warp.read_own(next, r)? => {}
                 _ => return Err(r.unknown_word("warp", &warp.spec().word_names()).into()),
             }

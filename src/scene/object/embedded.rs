@@ -69,7 +69,7 @@ impl Paints for EmbeddedTextures<'_> {
                 r.leave_block()?;
                 texture
             }
-            Next::Thing("texture") => match r.thing::<Texture>()? {
+            Next::Thing("texture") => match r.take_declared::<Texture>()? {
                 Some(texture) => (*texture).clone(),
                 None => return Ok(None),
             },

@@ -46,7 +46,7 @@ impl Object {
                 r.leave_block()?;
                 Ok(object)
             }
-            Next::Thing(_) => match (r.span(), r.thing::<Object>()?) {
+            Next::Thing(_) => match (r.span(), r.take_declared::<Object>()?) {
                 (source, Some(object)) => Ok(Box::new(Self { source, ..(*object).clone() })),
                 _ => Err(r.unexpected("an object").into()),
             },
@@ -91,7 +91,7 @@ impl Object {
             let shape = match defaults.recent.find_shape(&shape) {
                 Some(known) => known,
                 None => {
-                    shape.finish(source, r)?;
+                    shape.complete_and_check(source, r)?;
                     defaults.recent.add_shape(&shape);
                     shape
                 }
@@ -216,7 +216,7 @@ impl Object {
                 self.uncommon.interior = Some(Arc::new(Interior::read(r, self.uncommon.interior.as_deref())?));
                 r.leave_block()?;
             }
-            Next::Thing("interior") => self.uncommon.interior = r.thing::<Interior>()?,
+            Next::Thing("interior") => self.uncommon.interior = r.take_declared::<Interior>()?,
             Next::Block("material") => {
                 r.take_token()?;
                 let material = read_material(r, defaults, self.uncommon.interior.clone())?;
@@ -224,7 +224,7 @@ impl Object {
                 self.set_material(&material, &r.language());
             }
             Next::Thing("material") => {
-                if let Some(material) = r.thing::<Material>()? {
+                if let Some(material) = r.take_declared::<Material>()? {
                     self.set_material(&material, &r.language());
                 }
             }

@@ -196,7 +196,7 @@ impl Readable for BicubicPatch {
         Ok(Self { flatness, ..patch }.subdivided_under(&Transform::IDENTITY))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let has_area = |cell: &[u32; 4]| {
             let corners = cell.map(|i| self.corners[i as usize].point);
             TRIANGLES.iter().any(|t| !Triangle::new(corners[t[0]], corners[t[1]], corners[t[2]]).is_degenerate())

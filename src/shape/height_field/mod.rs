@@ -184,7 +184,7 @@ impl Readable for HeightField {
         }
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let [width, height] = self.size;
         if let Some(picture) = self.picture.take()
             && width > 1

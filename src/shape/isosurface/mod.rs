@@ -287,7 +287,7 @@ impl Readable for Isosurface {
         read_row(Self::WORDS, self, next, r)
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let b = self.container.bounds();
         check_finite(span, &[b.min, b.max], &[self.threshold, self.max_gradient, self.accuracy])?;
         let found = if self.adapts { 0.0 } else { self.sampled_max_gradient() };

@@ -308,7 +308,7 @@ impl Readable for JuliaFractal {
         }
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.algebra == Algebra::Quaternion && !matches!(self.function, Function::Sqr | Function::Cube) {
             let message = "quaternions know only `sqr` and `cube`";
             let help = "write `hypercomplex` before the function";

@@ -40,7 +40,7 @@ fn read_whole_shape<S: Readable + Kernel>(r: &mut NumberWordReader) -> Result<S>
             break;
         }
     }
-    shape.finish(Span::new(1, 2), r)?;
+    shape.complete_and_check(Span::new(1, 2), r)?;
     assert!(r.left.is_empty(), "left over: {:?}", r.left);
     Ok(shape)
 }

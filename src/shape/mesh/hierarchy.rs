@@ -1,6 +1,6 @@
 //! Triangles in the order of a hierarchy, and their intersection with rays.
 
-use super::Face;
+use super::{EACH_CORNER, Face};
 use crate::math::bvh;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fork};
 use crate::mesh_io::{NONE, Triangles};
@@ -27,6 +27,14 @@ pub struct TriangleHierarchy {
     /// Position of each triangle in the hierarchy's order, in the order written.
     #[serde(skip)]
     written: Vec<u32>,
+}
+
+/// Textures at the corners of a mesh's triangle.
+pub struct CornerTextures {
+    /// Texture number, or material number of a mesh file, of each corner: from 1 on, or 0 for the object's own texture.
+    pub numbers: [u32; 3],
+    /// True if the numbers are equal but were given for each corner.
+    pub is_per_corner: bool,
 }
 
 impl TriangleHierarchy {
@@ -100,7 +108,7 @@ impl TriangleHierarchy {
         self.written.iter().map(face).collect()
     }
 
-    /// Returns the three indices of a triangle in a list; `None` if it has none.
+    /// Returns the three indices of a triangle in a list; `None` if the list has no entry for the triangle.
     fn triangle_indices(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
         list.get(face).copied().filter(|numbers| *numbers != NONE)
     }
@@ -129,7 +137,7 @@ impl TriangleHierarchy {
         });
     }
 
-    /// Returns the closest hit of the ray on the mesh within the range.
+    /// Returns the closest hit of the ray on the mesh within the range; `None` for a miss.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
         self.visit_hits(ray, range, |hit| {
@@ -185,11 +193,11 @@ impl TriangleHierarchy {
         mapped.map_or(DVec2::ZERO, |numbers| self.interpolate_corners(hit, numbers.map(|i| self.lists.uvs[i as usize])))
     }
 
-    /// Texture numbers, or material numbers of a mesh file, at the corners of the mesh's triangle that was hit: from 1 on,
-    /// or 0 for the object's own texture. `None` for a mesh without textured triangles. Three equal numbers that were given
-    /// for each corner have the flag `EACH_CORNER` in the first.
-    pub fn corner_texture_numbers(&self, hit: &Hit) -> Option<[u32; 3]> {
-        Self::triangle_indices(&self.lists.painted, hit.part as usize)
+    /// Textures at the corners of the mesh's triangle that was hit; `None` for a mesh without textured triangles.
+    pub fn corner_textures(&self, hit: &Hit) -> Option<CornerTextures> {
+        let flagged = Self::triangle_indices(&self.lists.painted, hit.part as usize)?;
+        let is_per_corner = flagged[0] & EACH_CORNER != 0;
+        Some(CornerTextures { numbers: flagged.map(|number| number & !EACH_CORNER), is_per_corner })
     }
 }
 

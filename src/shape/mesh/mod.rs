@@ -39,13 +39,12 @@ impl TriangleMesh {
     }
 
     fn texture_weights(&self, hit: &Hit) -> TextureWeights {
-        let Some(painted) = self.triangles.corner_texture_numbers(hit) else { return smallvec![(0, 1.0)] };
-        let each = painted[0] & EACH_CORNER != 0;
-        let [a, b, c] = painted.map(|number| number & !EACH_CORNER).map(|number| match number.checked_sub(1) {
+        let Some(textures) = self.triangles.corner_textures(hit) else { return smallvec![(0, 1.0)] };
+        let [a, b, c] = textures.numbers.map(|number| match number.checked_sub(1) {
             Some(material) if !self.texture_numbers.is_empty() => self.texture_numbers[material as usize],
             _ => number,
         });
-        if a == b && b == c && !each {
+        if a == b && b == c && !textures.is_per_corner {
             return smallvec![(a, 1.0)];
         }
         smallvec![(a, 1.0 - hit.uv.x - hit.uv.y), (b, hit.uv.x), (c, hit.uv.y)]

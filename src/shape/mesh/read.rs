@@ -42,7 +42,7 @@ pub struct Mesh(pub TriangleMesh, #[serde(skip)] Draft);
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Draft {
     triangles: Triangles,
-    /// File of a `mesh` with the word `file`, which excludes triangles.
+    /// File of a `mesh` with the word `file`, which excludes triangles; `None` for a mesh of triangles.
     file: Option<Arc<FileMesh>>,
     known: Known,
 }
@@ -64,9 +64,11 @@ struct Lists {
     triangles: Triangles,
     /// The object's numbers of the textures in the `texture_list` of a `mesh2`.
     textures: Vec<u32>,
-    /// Spans of the lists of indices in a `mesh2`, which are checked at the end.
+    /// Span of the `face_indices` of a `mesh2`, which are checked at the end; `None` before the list is read.
     faces: Option<Span>,
+    /// Span of the `normal_indices`; `None` before the list is read.
     normals: Option<Span>,
+    /// Span of the `uv_indices`; `None` before the list is read.
     uvs: Option<Span>,
 }
 
@@ -97,7 +99,7 @@ impl Readable for Mesh {
         Ok(Self::default())
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let Draft { triangles, file, .. } = std::mem::take(&mut self.1);
         self.0.triangles = match file {
             Some(file) => file.triangles.clone(),
@@ -261,7 +263,7 @@ impl Readable for Mesh2 {
         Ok(Self::default())
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let lists = std::mem::take(&mut self.1);
         let mut mesh = lists.triangles;
         let faces = mesh.corners.len();

@@ -154,7 +154,7 @@ impl Readable for Parametric {
         Ok(true)
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let b = self.container.bounds();
         check_finite(span, &[b.min, b.max], &[])?;
         if self.from.x == self.to.x || self.from.y == self.to.y {

@@ -186,7 +186,7 @@ impl Readable for SphereSweep {
         Ok(Self::new(kind, &balls?))
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.pieces.iter().all(|piece| piece.radii[..=piece.degree].iter().all(|r| *r == 0.0)) {
             r.report(Diagnostic::new(
                 codes::NO_SURFACE,

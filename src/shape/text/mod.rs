@@ -112,7 +112,7 @@ impl Readable for Text {
         Ok(Self { font: name, file, string, depth, row, tilt, bounds })
     }
 
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+    fn complete_and_check(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.row.letters.is_empty() {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, "this `text` shows no letters"));
         }

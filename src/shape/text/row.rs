@@ -154,7 +154,7 @@ impl<V: FnMut(Hit) -> ControlFlow<(), f64>> Search<'_, V> {
         if length == 0.0 || self.depth < 0.0 {
             return ControlFlow::Continue(());
         }
-        let Some((low, high)) = self.rectangle_of_wall_hits() else { return ControlFlow::Continue(()) };
+        let Some((low, high)) = self.bounds_of_ray_within_depth() else { return ControlFlow::Continue(()) };
         let letter = self.letter;
         letter.glyph.visit_curves_in_rectangle(low, high, |number, curve| {
             let from = curve.map(|p| p - self.origin.truncate());
@@ -180,9 +180,10 @@ impl<V: FnMut(Hit) -> ControlFlow<(), f64>> Search<'_, V> {
         })
     }
 
-    /// Returns a rectangle, in the glyph's plane, that contains all hits of interest on the letter's walls: the ray
-    /// between the planes of the front and back, with a margin for rounding. `None` if there can be no such hit.
-    fn rectangle_of_wall_hits(&self) -> Option<(DVec2, DVec2)> {
+    /// Returns a bounding rectangle, in the glyph's plane, of the stretch of the ray between the planes of the front
+    /// and back, with a margin for rounding; it contains all hits of interest on the letter's walls. Infinite for a ray
+    /// parallel to the front, `None` if the ray can hit no wall.
+    fn bounds_of_ray_within_depth(&self) -> Option<(DVec2, DVec2)> {
         let (o, d) = (self.origin, self.dir);
         let (t0, t1) = (-o.z / d.z, (self.depth - o.z) / d.z);
         let (near, far) = (t0.min(t1).max(self.range.min), t0.max(t1).min(self.max));

@@ -33,9 +33,9 @@ pub(super) fn lint_portability(own_file: &Outline, all_files: &[Outline]) -> Vec
 struct Check<'a> {
     outline: &'a Outline,
     declared: &'a Declared<'a>,
-    /// Index of the last directive before the present token.
+    /// Index of the last directive before the present token; `None` before the first directive.
     directive: Option<usize>,
-    /// Index of the last token that was reported as a word that only durer has.
+    /// Index of the last token that was reported as a word that only durer has; `None` before the first report.
     addition: Option<usize>,
     out: Vec<Diagnostic>,
 }
@@ -55,7 +55,8 @@ impl<'a> Check<'a> {
         self.directives_around(token).any(|pair| self.outline.is_macro(pair))
     }
 
-    /// Returns the word of the block that directly contains a token.
+    /// Returns the word of the block that directly contains a token; `None` outside of all blocks, and in other
+    /// brackets.
     fn enclosing_block_word(&self, token: usize) -> Option<&'a str> {
         self.brackets_around(token).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
     }

@@ -134,7 +134,7 @@ impl Check<'_> {
             // `M();`, where M's last word is none that a `;` may follow
             None if self.outline.class_before(semicolon) == class::PAREN_END
                 && !self.in_macro(semicolon)
-                && self.follows_object_macro_call(semicolon) =>
+                && self.follows_statement_call_of_block_macro(semicolon) =>
             {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
                 self.report(semicolon, message.into(), "leave it out");
@@ -175,8 +175,9 @@ impl Check<'_> {
             || self.outline.class(head - 1) == class::BRACE_END && self.follows_statement_block(head)
     }
 
-    /// True if the token before this index ends a call of a macro that produces an object, where a statement may begin.
-    fn follows_object_macro_call(&self, token: usize) -> bool {
+    /// True if the token before this index ends a macro call that begins a statement, and the macro's body ends with a
+    /// block.
+    fn follows_statement_call_of_block_macro(&self, token: usize) -> bool {
         let Some(name) = self.outline.closed_by(token - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };

@@ -156,7 +156,7 @@ impl RadiosityCache {
 
     /// Adds to `blend` all radiosity samples of the cache that may be reused for the query, each with its weight.
     pub fn add_usable_samples_to(&self, query: &Query, blend: &mut Blend) {
-        self.visit_usable(query, |sample, share| {
+        self.visit_usable_with_error_share(query, |sample, share| {
             // Tukey's biweight: the mean has no peaks at the samples.
             let root = 1.0 - share * share;
             let weight = root * root;
@@ -172,7 +172,7 @@ impl RadiosityCache {
     /// over the first of them whose sum is at least `limit`.
     pub fn closeness_up_to(&self, limit: f64, query: &Query) -> f64 {
         let mut sum = 0.0;
-        self.visit_usable(query, |_, share| {
+        self.visit_usable_with_error_share(query, |_, share| {
             sum += 1.0 - share;
             if sum >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
@@ -182,7 +182,7 @@ impl RadiosityCache {
     /// Returns a radiosity sample that may be reused for the query; `None` if no sample may.
     pub fn any_usable_sample(&self, query: &Query) -> Option<&Sample> {
         let mut found = None;
-        self.visit_usable(query, |sample, _| {
+        self.visit_usable_with_error_share(query, |sample, _| {
             found = Some(sample);
             ControlFlow::Break(())
         });
@@ -190,9 +190,13 @@ impl RadiosityCache {
     }
 
     /// Calls `visit` for the radiosity samples that may be reused for the query, each with its error as a share of the
-    /// maximum, until it breaks.
+    /// maximum error (from 0, the best, to below 1), until `visit` returns `Break`.
     #[inline]
-    fn visit_usable<'s>(&'s self, query: &Query, mut visit: impl FnMut(&'s Sample, f64) -> ControlFlow<()>) {
+    fn visit_usable_with_error_share<'s>(
+        &'s self,
+        query: &Query,
+        mut visit: impl FnMut(&'s Sample, f64) -> ControlFlow<()>,
+    ) {
         let Some(grids) = self.grids.get(usize::from(query.depth)) else { return };
         for &grid in grids {
             let Some(cell) = self.cells.get(&(query.depth, grid, cell(query.point, grid))) else { continue };

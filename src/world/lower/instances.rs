@@ -25,7 +25,8 @@ pub(super) struct Copies {
 
 /// The geometry that instances share.
 struct Original {
-    _parts: Arc<[Object]>,
+    /// Parts of the original object, whose address is the key in [`Copies::known`].
+    _address_owner: Arc<[Object]>,
     /// The original object, lowered at the origin into a geometry of its own.
     node: SolidNode,
     shared: Arc<Geometry>,
@@ -43,7 +44,8 @@ impl Lowering {
         LoweredCounts { parts: self.parts.len(), objects: self.objects.len() }
     }
 
-    /// Returns an instance that replaces the object just lowered to `node`, if the object has many copies.
+    /// Returns an instance that replaces the object just lowered to `node`; `None` if the object has few copies or
+    /// can't share the geometry of the others.
     pub(super) fn instance_of_copy(
         &mut self,
         object: &Object,
@@ -60,7 +62,7 @@ impl Lowering {
             Some(original) => original.clone(),
             None if few() => return Ok(None),
             None => {
-                let original = Original::lower(object, parts)?.map(Arc::new);
+                let original = Original::lower_if_shareable(object, parts)?.map(Arc::new);
                 self.copies.known.insert(address, original.clone());
                 original
             }
@@ -81,15 +83,16 @@ impl Lowering {
 }
 
 impl Original {
-    /// Lowers the original object; `None` if copies can't share it.
-    fn lower(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
+    /// Lowers the object that copies share, without its transform; `None` if copies can't share it. The original owns
+    /// `address_owner`, the object's parts, so that their address stays a valid key in [`Copies::known`].
+    fn lower_if_shareable(object: &Object, address_owner: &Arc<[Object]>) -> Result<Option<Self>> {
         let mut alone = Lowering::default();
         let object = Object { transform: SharedDefault::DEFAULT, ..object.clone() };
         let Some(solid) = alone.lower_object(&object, &Inherited::default())? else { return Ok(None) };
         let mut builder = GeometryBuilder::default();
         builder.add(solid.node.clone());
         let shared = Geometry::from(builder);
-        let original = Self { _parts: parts.clone(), node: solid.node, shared: Arc::new(shared) };
+        let original = Self { _address_owner: address_owner.clone(), node: solid.node, shared: Arc::new(shared) };
         let is_more = |node: &SolidNode| !matches!(node.kind(), SolidKind::Leaf(_));
         let fits = |shared: &Geometry| {
             shared.is_finite()

@@ -171,7 +171,8 @@ impl SolidNode {
     }
 }
 
-/// Calls `visit` with shapes that together contain all hits and inside points of a solid.
+/// Calls `visit` with shapes each of which contains all hits and inside points of a solid: for a union or merge, only
+/// those of its clips.
 fn for_each_enclosing_shape(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
     clip.iter().for_each(|c| for_each_enclosing_shape(&c.kind, c.clip(), visit));
     match kind {

@@ -49,7 +49,7 @@ struct CompositeData {
     /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
-    /// Hierarchy over the children, if there are many.
+    /// Hierarchy over the children; `None` for few children.
     #[serde(skip)]
     child_bvh: Option<Box<ChildBvh>>,
 }
@@ -282,7 +282,7 @@ impl SolidNode {
         }
     }
 
-    /// Returns the closest hit of a ray on the solid within the range.
+    /// Returns the closest hit of a ray on the solid within the range; `None` for a miss.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {

@@ -11,7 +11,7 @@ use crate::world::convex_interval::ConvexInterval;
 use crate::world::leaf::{Intersection, Intersections};
 use smallvec::SmallVec;
 
-/// The parts of one composite solid that a ray can hit, with the hits on them.
+/// Parts of one composite solid that the current ray may hit, with the hits on them.
 struct PartsOnRay<'a> {
     /// Range of distances in which hits count.
     range: Range,
@@ -23,7 +23,7 @@ struct PartsOnRay<'a> {
     candidates: SmallVec<[Candidate; 16]>,
 }
 
-/// A part that a ray can hit.
+/// Part of the solid that the current ray may hit, with the ray's interval inside the part.
 struct PartOnRay<'a> {
     node: &'a SolidNode,
     /// Number of the part in the solid.
@@ -38,7 +38,7 @@ struct Candidate {
     t: f64,
     /// Index of the part in [`PartsOnRay::parts`].
     part: u32,
-    /// Index of the end in the part's interval, or index in [`PartsOnRay::hits`] if the part has no interval.
+    /// End of the part's interval, 0 or 1; or index in [`PartsOnRay::hits`] if the part has no interval.
     hit: u32,
 }
 

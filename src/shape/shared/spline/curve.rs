@@ -71,7 +71,8 @@ impl Curve {
         DVec2::new(along(0), along(1))
     }
 
-    /// Direction of the curve's segment at t; zero only if all control points coincide.
+    /// Derivative of the curve's segment at t, not normalized; where the derivative is zero, the chord from the first
+    /// to the last control point. Zero if both are.
     pub fn tangent(&self, segment: usize, t: f64) -> DVec2 {
         let along = |axis: usize| bernstein_derivative_at(&self.affine_bernstein_coefficients(segment, |p| p[axis]), t);
         let tangent = DVec2::new(along(0), along(1));
@@ -145,7 +146,8 @@ impl Curve {
     }
 }
 
-/// Roots of the derivative of a Bernstein polynomial between 0 and 1, for a degree up to 3.
+/// Roots strictly between 0 and 1 of the derivative of the polynomial with the Bernstein coefficients `b`, of degree 2
+/// or 3; `None` in place of a missing root, and for other degrees.
 pub fn bernstein_derivative_roots(b: &[f64]) -> [Option<f64>; 2] {
     let rise: smallvec::SmallVec<[f64; 4]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     let (x, y) = match rise[..] {

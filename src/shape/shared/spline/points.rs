@@ -44,7 +44,7 @@ pub const KINDS: [WordSpec; 4] = [
 ];
 
 impl Interpolation {
-    /// Reads the word of an outline's interpolation, if it is next.
+    /// Reads the word of an outline's interpolation, such as `linear_spline`; `None` if another token is next.
     ///
     /// # Errors
     /// Errors of the reader.
