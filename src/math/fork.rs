@@ -7,7 +7,6 @@
 use super::cancel::CancelToken;
 use rayon::prelude::*;
 use std::cell::RefCell;
-use std::num::NonZero;
 use std::sync::{Arc, OnceLock};
 
 /// Threads among which the work of a thread is divided.
@@ -23,9 +22,22 @@ enum Team {
 }
 
 struct Pool {
+    /// Number of threads; 0 for one per processor.
     threads: usize,
     /// The pool, when it was needed; `None` if its threads could not be started, as under a limit on memory.
     started: OnceLock<Option<rayon::ThreadPool>>,
+}
+
+impl Pool {
+    /// Returns the pool, whose threads are started by the first call; `None` if they could not be started.
+    fn started(&self) -> Option<&rayon::ThreadPool> {
+        let start = || {
+            let builder = rayon::ThreadPoolBuilder::new().num_threads(self.threads);
+            let named = builder.thread_name(|i| format!("durer fork {i}"));
+            named.start_handler(|_| TEAM.set(Team::InPool)).build().ok()
+        };
+        self.started.get_or_init(start).as_ref()
+    }
 }
 
 thread_local! {
@@ -42,7 +54,6 @@ pub fn with_threads<T>(threads: usize, work: impl FnOnce() -> T) -> T {
             TEAM.set(std::mem::take(&mut self.0));
         }
     }
-    let threads = if threads == 0 { std::thread::available_parallelism().map_or(1, NonZero::get) } else { threads };
     let team = match threads {
         1 => Team::Alone,
         _ => Team::Pool(Arc::new(Pool { threads, started: OnceLock::new() })),
@@ -51,11 +62,12 @@ pub fn with_threads<T>(threads: usize, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Number of threads that the calling thread's work may use, its own included.
+/// Number of threads that the calling thread's work may use. The first call may start them: a caller asks when it has
+/// enough work for several.
 pub fn threads() -> usize {
     match TEAM.with_borrow(Team::clone) {
         Team::Alone => 1,
-        Team::Pool(pool) => pool.threads,
+        Team::Pool(pool) => pool.started().map_or(1, rayon::ThreadPool::current_num_threads),
         Team::InPool => rayon::current_num_threads(),
     }
 }
@@ -74,7 +86,7 @@ pub fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> 
 }
 
 /// Returns the results of `work` for 0 … `count` - 1, in this order. Each thread computes at least `part_len` of them
-/// in a row.
+/// in a row; `work` is short and does not poll for cancellation.
 ///
 /// # Panics
 /// If `work` panics.
@@ -94,16 +106,11 @@ fn divide<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
     match TEAM.with_borrow(Team::clone) {
         Team::Alone => work(false),
         Team::InPool => work(true),
-        Team::Pool(pool) => match pool.started.get_or_init(|| start(pool.threads)) {
+        Team::Pool(pool) => match pool.started() {
             Some(started) => started.install(|| work(true)),
             None => work(false),
         },
     }
-}
-
-fn start(threads: usize) -> Option<rayon::ThreadPool> {
-    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(|i| format!("durer fork {i}"));
-    builder.start_handler(|_| TEAM.set(Team::InPool)).build().ok()
 }
 
 #[cfg(test)]

@@ -143,25 +143,26 @@ impl ListScanner {
                 break;
             }
             i = skip_blanks(bytes, next + 1);
-            if self.data.len() >= divided_from
-                && fork::threads() > 1
-                && let Some(scanned) = self.scan_vectors_by_threads(bytes, i)
-            {
-                (i, end) = (scanned.next, Some(scanned.end));
-                divided_from = self.data.len() + if scanned.is_whole { 0 } else { ENOUGH_FOR_THREADS };
+            if self.data.len() >= divided_from {
+                let scanned = self.scan_vectors_by_threads(bytes, i);
+                let is_whole = scanned.as_ref().is_some_and(|scanned| scanned.is_whole);
+                divided_from = self.data.len() + if is_whole { 0 } else { ENOUGH_FOR_THREADS };
+                if let Some(scanned) = scanned {
+                    (i, end) = (scanned.next, Some(scanned.end));
+                }
             }
         }
         end.map(|end| (self.widths.count, end))
     }
 
     /// Scans vectors from the offset `at` on, each with a comma behind it, by several threads; `None` without such a
-    /// vector. (A piece for each thread begins at a `<`. What that belongs to is not known before the piece in front of
-    /// it is scanned: if that one ends elsewhere, the piece is dropped.)
+    /// vector, or if there is one thread. (A piece for each thread begins at a `<`. What that belongs to is not known
+    /// before the piece in front of it is scanned: if that one ends elsewhere, the piece is dropped.)
     fn scan_vectors_by_threads(&mut self, bytes: &[u8], at: usize) -> Option<ScannedVectors> {
-        if bytes.get(at) != Some(&b'<') {
+        let threads = if bytes.get(at) == Some(&b'<') { fork::threads() } else { 1 };
+        if threads < 2 {
             return None;
         }
-        let threads = fork::threads();
         let start_of_piece = |k: usize| {
             let from = bytes.len().min(at.saturating_add(k * PIECE));
             let near = &bytes[from..bytes.len().min(from + PIECE)];
