@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
                 let (is_true, yes, no) = (self.is_true(condition)?, self.evaluate(yes)?, self.evaluate(no)?);
                 Ok(if is_true { yes } else { no })
             }
-            ExprKind::Builtin(name, arguments) => self.call_builtin(name.name, arguments, e.span),
+            ExprKind::Builtin(name, arguments) => self.call_builtin(name, arguments, e.span),
             ExprKind::Dot(..) => self.evaluate_member_access(e),
             ExprKind::Index(array, indices) => {
                 let contents = self.evaluate_array_access(array, indices, e.span)?;

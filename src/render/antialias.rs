@@ -200,6 +200,9 @@ impl Difference {
         if threshold <= 0.0 || a == b {
             return threshold <= 0.0;
         }
+        if self.rough_bound_of_distance(a, b) + opacity < threshold {
+            return false;
+        }
         let (mut most, mut least) = (opacity, opacity);
         for c in 0..3 {
             let [least_of_channel, most_of_channel] = self.distance_bounds(a[c].max(0.0), b[c].max(0.0), threshold);
@@ -216,6 +219,17 @@ impl Difference {
         let light = |x: f64| if self.is_srgb { Gamma::Srgb.decode(x) } else { x };
         let curve = |x: f32| fp::quick_pow(light(f64::from(x.max(0.0))), 1.0 / self.gamma);
         (0..3).map(|c| (curve(a[c]) - curve(b[c])).abs()).sum()
+    }
+
+    /// Returns a bound above of [`Self::distance`], which suffices for most neighbours, since they are nearly equal: the
+    /// slope of the gamma curve at the least value of all channels times the sum of the differences. Infinite for dark
+    /// values.
+    #[inline]
+    fn rough_bound_of_distance(&self, a: &Pixel, b: &Pixel) -> f64 {
+        let least = (0..3).map(|c| a[c].min(b[c])).fold(f32::INFINITY, f32::min);
+        let Some(last) = self.slopes.len().checked_sub(1).filter(|_| least >= DARK) else { return f64::INFINITY };
+        let difference: f64 = (0..3).map(|c| (f64::from(a[c]) - f64::from(b[c])).abs()).sum();
+        self.slopes[half_octaves_above_dark(least).min(last)] * difference
     }
 
     /// Returns bounds below and above of the difference of two values after the gamma curve.

@@ -23,6 +23,34 @@ pub struct Word {
     pub name: &'static str,
     /// Category of the reserved word.
     pub category: Category,
+    /// Index of the word among all words, for a [`WordTable`].
+    number: u32,
+}
+
+/// Table of values for some of the words, found without a hash of the spelling.
+pub struct WordTable<T>(Box<[Option<T>]>);
+
+impl<T> WordTable<T> {
+    /// Creates the table from words and their values. Names that are no words are left out.
+    pub fn new(entries: impl Iterator<Item = (&'static str, T)>) -> Self {
+        let mut values: Box<[Option<T>]> = TABLE.words.iter().map(|_| None).collect();
+        for (name, value) in entries {
+            if let Some((number, _)) = word_number_and_category(name) {
+                values[number as usize] = Some(value);
+            }
+        }
+        Self(values)
+    }
+
+    /// Returns the value for a word; `None` if the table has none.
+    pub fn get(&self, word: &Word) -> Option<&T> {
+        self.0[word.number as usize].as_ref()
+    }
+
+    /// Returns the value for the word with this spelling; `None` if the table has none.
+    pub fn get_by_spelling(&self, name: &str) -> Option<&T> {
+        self.get(entry(name)?)
+    }
 }
 
 impl Category {
@@ -59,11 +87,13 @@ struct Table {
 }
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| {
-    let of = |words: &'static [&'static str], category| words.iter().map(move |&name| Word { name, category });
+    let of = |words: &'static [&'static str], category| words.iter().map(move |&name| (name, category));
     let words: Vec<_> = of(KEYWORDS, Category::Keyword)
         .chain(of(FUNCTIONS, Category::Function))
-        .chain(CONSTANTS.iter().map(|&(name, _)| Word { name, category: Category::Constant }))
+        .chain(CONSTANTS.iter().map(|&(name, _)| (name, Category::Constant)))
         .chain(CONTEXTUAL.iter().flat_map(move |(_, words)| of(words, Category::Contextual)))
+        .zip(0..)
+        .map(|((name, category), number)| Word { name, category, number })
         .collect();
     let numbers = words.iter().enumerate().map(|(i, word)| (word.name, i as u32)).collect();
     Table { words, numbers }

@@ -17,8 +17,8 @@ use crate::function::numeric::{self as numeric_table, Domain, Numeric};
 use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::Expr;
+use crate::syntax::word::{Word, WordTable};
 use crate::value::Value;
-use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use special::Special;
 use std::ops::RangeInclusive;
@@ -49,11 +49,12 @@ enum Function {
     Special(&'static Special),
 }
 
-/// All built-in functions of the scene language by name.
-static FUNCTIONS: LazyLock<FxHashMap<&'static str, Function>> = LazyLock::new(|| {
+/// All built-in functions of the scene language by word.
+static FUNCTIONS: LazyLock<WordTable<Function>> = LazyLock::new(|| {
     let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
     let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
-    numeric.chain(vector_and_text_builtins().map(|row| (row.name, Function::Plain(row)))).chain(special).collect()
+    let plain = vector_and_text_builtins().map(|row| (row.name, Function::Plain(row)));
+    WordTable::new(numeric.chain(plain).chain(special))
 });
 
 fn vector_and_text_builtins() -> impl Iterator<Item = &'static Builtin> {
@@ -98,8 +99,9 @@ impl Arguments {
 
 impl<'a> Interpreter<'a> {
     /// Calls a built-in function with parsed arguments.
-    pub(super) fn call_builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
-        match self.find_builtin_function(name, span)? {
+    pub(super) fn call_builtin(&mut self, word: &'static Word, arguments: &'a [Expr], span: Span) -> Result<Value> {
+        let name = word.name;
+        match found_or_error(FUNCTIONS.get(word), name, span)? {
             Function::Special(row) => {
                 check_argument_count(name, &row.arity, arguments.len(), span)?;
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
@@ -125,7 +127,7 @@ impl<'a> Interpreter<'a> {
         arguments: SmallVec<[Argument<'a>; 4]>,
         span: Span,
     ) -> Result<Value> {
-        match self.find_builtin_function(name, span)? {
+        match found_or_error(FUNCTIONS.get_by_spelling(name), name, span)? {
             Function::Special(Special { run, arity, .. }) => {
                 check_argument_count(name, arity, arguments.len(), span)?;
                 run(self, &arguments, span)
@@ -135,13 +137,6 @@ impl<'a> Interpreter<'a> {
                 let values = arguments.iter().map(value).collect::<Result<_>>()?;
                 self.compute(name, function, Arguments { values }, span)
             }
-        }
-    }
-
-    fn find_builtin_function(&self, name: &'static str, span: Span) -> Result<Function> {
-        match FUNCTIONS.get(name) {
-            Some(&function) => Ok(function),
-            None => Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet")),
         }
     }
 
@@ -181,7 +176,15 @@ impl<'a> Interpreter<'a> {
 
 /// True if commas between the arguments are mandatory.
 pub(super) fn needs_commas(name: &str) -> bool {
-    matches!(FUNCTIONS.get(name), Some(Function::Numeric(row)) if matches!(row.kernel, numeric_table::Kernel::Many(_)))
+    matches!(FUNCTIONS.get_by_spelling(name), Some(Function::Numeric(row)) if matches!(row.kernel, numeric_table::Kernel::Many(_)))
+}
+
+/// Returns the built-in function, or an error if there is none.
+fn found_or_error(function: Option<&Function>, name: &str, span: Span) -> Result<Function> {
+    match function {
+        Some(&function) => Ok(function),
+        None => Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet")),
+    }
 }
 
 /// Checks the number of arguments of a function's call.

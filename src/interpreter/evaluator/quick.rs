@@ -2,9 +2,15 @@
 
 use super::operators::{TOLERANCE, apply_to_floats, apply_to_vectors, component_index, has_zero_component};
 use super::{Contents, Evaluator};
-use crate::function::numeric::{self, Domain, Kernel};
+use crate::function::numeric::{self, Domain, Kernel, Numeric};
 use crate::syntax::ast::*;
+use crate::syntax::word::{Word, WordTable};
 use crate::value::{Value, VecN};
+use std::sync::LazyLock;
+
+/// Numeric built-in functions by word.
+static NUMERIC: LazyLock<WordTable<&'static Numeric>> =
+    LazyLock::new(|| WordTable::new(numeric::TABLE.iter().map(|row| (row.name, row))));
 
 /// Value of an expression without heap allocation, for fast evaluation.
 pub enum Quick {
@@ -116,7 +122,7 @@ impl Evaluator<'_> {
                 let (condition, yes, no) = (self.quick_number(condition)?, self.quick(yes)?, self.quick(no)?);
                 Some(if condition.abs() > TOLERANCE { yes } else { no })
             }
-            ExprKind::Builtin(name, arguments) => self.quick_call(name.name, arguments).map(T::float),
+            ExprKind::Builtin(name, arguments) => self.quick_call(name, arguments).map(T::float),
             ExprKind::Index(array, indices) => match &**indices {
                 [index] => self.quick_element(array, index),
                 _ => None,
@@ -151,8 +157,8 @@ impl Evaluator<'_> {
         }
     }
 
-    fn quick_call(&self, name: &str, arguments: &[Expr]) -> Option<f64> {
-        let row = &numeric::TABLE[numeric::find_numeric(name)? as usize];
+    fn quick_call(&self, function: &Word, arguments: &[Expr]) -> Option<f64> {
+        let row = *NUMERIC.get(function)?;
         let first = row.clamp_if_arc_function(self.quick_number(arguments.first()?)?);
         let second = match arguments.get(1) {
             Some(e) => self.quick_number(e)?,
