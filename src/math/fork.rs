@@ -9,6 +9,9 @@ use rayon::prelude::*;
 use std::cell::RefCell;
 use std::sync::{Arc, OnceLock};
 
+/// Stack of each thread in bytes: hierarchies are built recursively, up to about a hundred levels deep.
+const STACK: usize = 8 << 20;
+
 /// Threads among which the work of a thread is divided.
 #[derive(Clone, Default)]
 enum Team {
@@ -33,7 +36,7 @@ impl Pool {
     fn started(&self) -> Option<&rayon::ThreadPool> {
         let start = || {
             let builder = rayon::ThreadPoolBuilder::new().num_threads(self.threads);
-            let named = builder.thread_name(|i| format!("durer fork {i}"));
+            let named = builder.thread_name(|i| format!("durer fork {i}")).stack_size(STACK);
             named.start_handler(|_| TEAM.set(Team::InPool)).build().ok()
         };
         self.started.get_or_init(start).as_ref()

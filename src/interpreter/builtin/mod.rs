@@ -179,7 +179,7 @@ pub(super) fn needs_commas(name: &str) -> bool {
     matches!(FUNCTIONS.get_by_spelling(name), Some(Function::Numeric(row)) if matches!(row.kernel, numeric_table::Kernel::Many(_)))
 }
 
-/// Returns the built-in function, or an error if there is none.
+/// Returns the built-in function; an error for `None`, with which a word is not a function of scripts.
 fn found_or_error(function: Option<&Function>, name: &str, span: Span) -> Result<Function> {
     match function {
         Some(&function) => Ok(function),

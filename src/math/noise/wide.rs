@@ -1,7 +1,7 @@
-//! Chooses between [`super::value`] and its AVX2 implementation. Both give the same bits. Each caller has a type as its
-//! mark, so that it has a copy of the noise of its own, which the compiler inlines. Functions for a single point take
-//! its coordinates as three numbers, in registers. A `DVec3` would be passed through memory: the caller writes
-//! coordinates one by one, the noise reads two at once, and the processor's store forwarding fails.
+//! Chooses between [`super::value`] and its implementations for AVX2 and AVX-512. All give the same bits. Each caller
+//! has a type as its mark, so that it has a copy of the noise of its own, which the compiler inlines. Functions for a
+//! single point take its coordinates as three numbers, in registers. A `DVec3` would be passed through memory: the
+//! caller writes coordinates one by one, the noise reads two at once, and the processor's store forwarding fails.
 //!
 //! Sums of octaves find the lattice cell of an octave before they compute the noise of the octave before: most of the
 //! noise waits for the tables, and would else fill the processor's queues, so that no other octave could begin.
@@ -10,9 +10,9 @@ use super::super::DVec3;
 use super::{Turbulence, value};
 use std::ops::ControlFlow;
 
-/// Defines a function whose body is compiled twice: for AVX2, with the module `avx2` under the name that comes first,
-/// and for processors without that, with the module `value`.
-macro_rules! twins {
+/// Defines a function whose body is compiled three times: with the modules `avx2` and `avx512` under the name that comes
+/// first, for processors with these features, and with the module `value` for all others.
+macro_rules! versions {
     (
         $(#[$doc:meta])*
         $name:ident $(<$state:ident, $visitor:ident: ($($bound:tt)+)>)?
@@ -26,6 +26,16 @@ macro_rules! twins {
                 fn avx2$(<$state, $visitor: $($bound)+>)?($($argument: $type),*) $(-> $out)? {
                     use super::avx2 as $lanes;
                     $body
+                }
+                #[target_feature(enable = "avx2,avx512f,avx512dq,avx512vl")]
+                fn avx512$(<$state, $visitor: $($bound)+>)?($($argument: $type),*) $(-> $out)? {
+                    use super::avx512 as $lanes;
+                    $body
+                }
+                if is_x86_feature_detected!("avx512vl") && is_x86_feature_detected!("avx512dq") {
+                    // SAFETY: the processor has the features that the function needs; AVX-512 implies AVX2.
+                    #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+                    return unsafe { avx512($($argument),*) };
                 }
                 if is_x86_feature_detected!("avx2") {
                     // SAFETY: the processor has the feature that the function needs.
@@ -45,14 +55,14 @@ enum Single {}
 /// Mark of the noise's copy for turbulence.
 enum Octave {}
 
-twins! {
-    /// Computes the noise [`value::scalar_noise`] at a point, with AVX2 if the processor has it.
+versions! {
+    /// Computes the noise [`value::scalar_noise`] at a point.
     scalar_at(lanes; x: f64, y: f64, z: f64) -> f64 {
         lanes::scalar_noise::<Single>(lanes::locate::<Single>(lanes::vector(x, y, z)))
     }
 }
 
-twins! {
+versions! {
     /// Folds octaves of the noise [`value::scalar_noise`] until `step` breaks: the noise at the point, and at its
     /// multiples by the powers of `lacunarity`.
     fold_octaves<T, Step: (Fn(T, f64) -> ControlFlow<T, T>)>(
@@ -72,14 +82,14 @@ twins! {
     }
 }
 
-twins! {
-    /// Computes the vector noise [`value::vector_noise`], with AVX2 if the processor has it.
+versions! {
+    /// Computes the vector noise [`value::vector_noise`].
     vector_at(lanes; x: f64, y: f64, z: f64) -> DVec3 {
         lanes::components(lanes::vector_noise::<Single>(lanes::locate::<Single>(lanes::vector(x, y, z))))
     }
 }
 
-twins! {
+versions! {
     /// Returns the turbulence at a point: the weighted sum of octaves of [`value::vector_noise`].
     turbulence(lanes; x: f64, y: f64, z: f64, series: Turbulence) -> DVec3 {
         let p = lanes::vector(x, y, z);
@@ -105,8 +115,26 @@ mod tests {
         value::vector_noise::<Single>(value::locate::<Single>(p))
     }
 
+    /// Returns both noises by AVX2, which a processor with AVX-512 uses nowhere else; `None` without AVX2.
+    fn noise_by_avx2(p: DVec3) -> Option<(f64, DVec3)> {
+        #[cfg(target_arch = "x86_64")]
+        {
+            #[target_feature(enable = "avx2")]
+            fn compute(p: DVec3) -> (f64, DVec3) {
+                use super::super::avx2::{components, locate, scalar_noise, vector, vector_noise};
+                let at = locate::<Single>(vector(p.x, p.y, p.z));
+                (scalar_noise::<Single>(at), components(vector_noise::<Single>(at)))
+            }
+            // SAFETY: the processor has the feature that the function needs.
+            #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+            return is_x86_feature_detected!("avx2").then(|| unsafe { compute(p) });
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        None
+    }
+
     #[test]
-    fn avx2_matches_portable_bits() {
+    fn all_versions_match_portable_bits() {
         let point = |i: i32| DVec3::new(0.37 * f64::from(i) - 99.0, -1.93 * f64::from(i), 0.011 * f64::from(i));
         let far = [1e18, -1e300, f64::MAX, f64::INFINITY, f64::NAN, -0.0, 1.0, -1.0, 4.5e15, -9.1e15];
         let strange = far.map(|x| DVec3::new(x, 0.5, -x));
@@ -121,10 +149,9 @@ mod tests {
                 let next = (left - 1, frequency * 2.2);
                 if left == 0 { ControlFlow::Break(next) } else { ControlFlow::Continue(next) }
             });
-            assert!(
-                vector_at(p.x, p.y, p.z).to_array().into_iter().zip(vector.to_array()).all(|(a, b)| same(a, b)),
-                "{p}"
-            );
+            let same_vector = |a: DVec3| a.to_array().into_iter().zip(vector.to_array()).all(|(a, b)| same(a, b));
+            assert!(same_vector(vector_at(p.x, p.y, p.z)), "{p}");
+            assert!(noise_by_avx2(*p).is_none_or(|(a, b)| same(a, scalar_noise) && same_vector(b)), "{p}");
         }
     }
 }
