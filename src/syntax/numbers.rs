@@ -108,9 +108,9 @@ fn skip_blanks(bytes: &[u8], mut at: usize) -> usize {
 /// Minimum length of a list of numbers that is moved instead of copied.
 const LONG: usize = 1 << 12;
 /// Number of numbers of a list after which several threads scan the rest of it.
-const ENOUGH_FOR_THREADS: usize = 1 << 16;
+const ENOUGH_FOR_THREADS: usize = if cfg!(test) { 1 << 8 } else { 1 << 16 };
 /// Number of bytes of a piece of a list that one thread scans.
-const PIECE: usize = 1 << 20;
+const PIECE: usize = if cfg!(test) { 1 << 10 } else { 1 << 20 };
 
 /// Scans the bytes of a text for literal vectors and lists of literals, which become one token each, and collects their
 /// values as [`NumberList`]s.
@@ -449,7 +449,7 @@ mod tests {
     #[test]
     fn threads_scan_long_lists_as_one_thread_does() {
         let uniform = |_| 3;
-        let late = |i| if i == 150_000 { 2 } else { 3 };
+        let late = |i| if i == 1500 { 2 } else { 3 };
         let mixed = |i| 2 + i % 3;
         for (width_of, rest) in [
             (&uniform as &dyn Fn(usize) -> usize, "<1, 2, 3> }"),
@@ -461,7 +461,7 @@ mod tests {
             (&late, "<1, 2, 3>"),
             (&mixed, "<1, 2, 3>"),
         ] {
-            let text = long_list(200_000, width_of, rest);
+            let text = long_list(2000, width_of, rest);
             let (one, end) = scan(&text).unwrap();
             for threads in [2, 3, 7] {
                 let (list, same_end) = fork::with_threads(threads, || scan(&text)).unwrap();
