@@ -39,6 +39,9 @@ pub mod heading {
 use heading::{FILES, LIMITS, OUTPUT, PICTURE, SCENE};
 
 /// Renders scenes written by hand in POV-Ray's scene language.
+///
+/// durer draws everything that POV-Ray 3.7 draws: all its shapes, patterns, warps, lights and cameras, media, radiosity,
+/// photons and subsurface light.
 #[derive(Parser, Clone, Debug)]
 #[command(name = "durer", version, after_help = EXIT_CODES, arg_required_else_help = true, max_term_width = 100)]
 pub struct Cli {
