@@ -221,7 +221,7 @@ impl Difference {
         (0..3).map(|c| (curve(a[c]) - curve(b[c])).abs()).sum()
     }
 
-    /// Returns a bound above of [`Self::distance`], which suffices for most neighbours, since they are nearly equal: the
+    /// Returns an upper bound of [`Self::distance`], which suffices for most neighbours, since they are nearly equal: the
     /// slope of the gamma curve at the least value of all channels times the sum of the differences. Infinite for dark
     /// values.
     #[inline]
@@ -302,6 +302,8 @@ mod tests {
             let negligible = (0..3).any(|c| f64::from((one[c] - other[c]).abs()) <= judge.negligible);
             proptest::prop_assert!(least <= distance * (1.0 + 1e-12), "{least} {distance}");
             proptest::prop_assert!(most >= distance * (1.0 - 1e-12) || negligible, "{most} {distance}");
+            let rough = judge.rough_bound_of_distance(&one, &other);
+            proptest::prop_assert!(rough >= distance * (1.0 - 1e-12), "{rough} {distance}");
             if (distance - threshold).abs() > 1e-9 {
                 proptest::prop_assert_eq!(judge.reaches_threshold(&one, &other), distance >= threshold);
             }

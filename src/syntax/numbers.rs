@@ -144,7 +144,7 @@ impl ListScanner {
             }
             i = skip_blanks(bytes, next + 1);
             if self.data.len() >= divided_from {
-                let scanned = self.scan_vectors_by_threads(bytes, i);
+                let scanned = self.scan_vectors_by_threads(bytes, i, 2 + (i - at) / PIECE);
                 let is_whole = scanned.as_ref().is_some_and(|scanned| scanned.is_whole);
                 divided_from = self.data.len() + if is_whole { 0 } else { ENOUGH_FOR_THREADS };
                 if let Some(scanned) = scanned {
@@ -155,12 +155,13 @@ impl ListScanner {
         end.map(|end| (self.widths.count, end))
     }
 
-    /// Scans vectors from the offset `at` on, each with a comma behind it, by several threads; `None` without such a
-    /// vector, or if there is one thread. (A piece for each thread begins at a `<`. What that belongs to is not known
-    /// before the piece in front of it is scanned: if that one ends elsewhere, the piece is dropped.)
-    fn scan_vectors_by_threads(&mut self, bytes: &[u8], at: usize) -> Option<ScannedVectors> {
-        let threads = if bytes.get(at) == Some(&b'<') { fork::threads() } else { 1 };
-        if threads < 2 {
+    /// Scans vectors from the offset `at` on, each followed by a comma, in pieces of the text: one for each thread, at
+    /// most `max_pieces`. `None` without such a vector, or if there is one thread. (A piece begins at a `<`. Whether that
+    /// belongs to the list is known once the piece before it is scanned; if that one ends elsewhere, the piece is
+    /// dropped. So `max_pieces` bounds the work that is in vain after the end of the list.)
+    fn scan_vectors_by_threads(&mut self, bytes: &[u8], at: usize, max_pieces: usize) -> Option<ScannedVectors> {
+        let n_pieces = if bytes.get(at) == Some(&b'<') { fork::threads().min(max_pieces) } else { 1 };
+        if n_pieces < 2 {
             return None;
         }
         let start_of_piece = |k: usize| {
@@ -168,8 +169,8 @@ impl ListScanner {
             let near = &bytes[from..bytes.len().min(from + PIECE)];
             from + near.iter().position(|b| *b == b'<').unwrap_or(near.len())
         };
-        let starts: Vec<usize> = (0..=threads).map(start_of_piece).collect();
-        let pieces = fork::map(threads, 1, |k| {
+        let starts: Vec<usize> = (0..=n_pieces).map(start_of_piece).collect();
+        let pieces = fork::map(n_pieces, 1, |k| {
             let mut piece = Self::default();
             let scanned = piece.scan_vectors_before(bytes, starts[k], starts[k + 1]);
             (piece, scanned)
@@ -184,7 +185,7 @@ impl ListScanner {
         all
     }
 
-    /// Scans vectors that start before the offset `limit`, each with a comma behind it, from the offset `at` on; `None`
+    /// Scans vectors that start before the offset `limit`, each followed by a comma, from the offset `at` on; `None`
     /// without such a vector.
     fn scan_vectors_before(&mut self, bytes: &[u8], at: usize, limit: usize) -> Option<ScannedVectors> {
         let (mut next, mut end) = (at, None);
@@ -270,13 +271,13 @@ impl ListScanner {
     }
 }
 
-/// Place in a text to which vectors are scanned.
+/// Result of scanning the vectors of a piece of text.
 struct ScannedVectors {
     /// End of the last vector.
     end: usize,
-    /// Offset of what follows the comma behind it.
+    /// Offset of what follows the comma after that vector.
     next: usize,
-    /// True if that is where the scan should end.
+    /// True if the whole piece was scanned: `next` is the start of the next piece.
     is_whole: bool,
 }
 
@@ -371,7 +372,7 @@ pub struct ItemSpans {
 
 impl ItemSpans {
     /// Returns the span of the last item of the number list with the span `list`; `list_text` is the list's own text.
-    pub fn last(list_text: &str, list: Span) -> Span {
+    pub fn span_of_last_item(list_text: &str, list: Span) -> Span {
         let bytes = list_text.as_bytes();
         let start = match bytes.last() {
             Some(b'>') => list_text.rfind('<').unwrap_or(0),
@@ -425,7 +426,7 @@ mod tests {
             let span = Span::new(100, 100 + end);
             let all: Vec<Span> = NumberList::item_spans(text, span).collect();
             assert_eq!(all.len(), list.len(), "{text}");
-            assert_eq!(all.last(), Some(&ItemSpans::last(text, span)), "{text}");
+            assert_eq!(all.last(), Some(&ItemSpans::span_of_last_item(text, span)), "{text}");
         }
     }
 

@@ -321,7 +321,7 @@ impl<'a> TokenStream<'a> {
                 let text = self.inputs.sources.snippet(*span);
                 // (A mesh asks for the last item of each of its lists.)
                 if frame.item.0 + 1 == list.len() {
-                    return ItemSpans::last(text, *span);
+                    return ItemSpans::span_of_last_item(text, *span);
                 }
                 let found = self.literal_spans.borrow_mut().find(text, *span, frame.item.0);
                 found.unwrap_or(*span)

@@ -24,7 +24,7 @@ const LARGEST: usize = 8;
 const PRIMS_BETWEEN_POLLS: usize = 1 << 14;
 /// Number of boxes of a BVH from which two threads build its halves.
 const PRIMS_FOR_TWO_THREADS: usize = 1 << 14;
-/// Minimum number of boxes that a thread of its own computes.
+/// Minimum number of boxes that one thread prepares in a row.
 const PRIMS_FOR_A_THREAD: usize = 1 << 13;
 /// Maximum number of items in a leaf of the BVH.
 const LEAF: u32 = 4;
@@ -474,4 +474,24 @@ fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Aroun
         }
     }
     (i, [before, behind])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{DVec3, rng};
+
+    #[test]
+    fn any_number_of_threads_builds_the_same_hierarchy() {
+        let random_box = |i: u64| {
+            let [x, y, z, size] = [0, 1, 2, 3].map(|k| rng::random_unit(&[i, k]));
+            let corner = DVec3::new(x * x, y, z);
+            Aabb::from_points([corner, corner + 0.01 * size])
+        };
+        let build = || Bvh::build((0..40_000_usize).map(|i| random_box(i as u64)));
+        let by_one = build();
+        for threads in [2, 3, 7] {
+            assert!(fork::with_threads(threads, build) == by_one, "{threads}");
+        }
+    }
 }

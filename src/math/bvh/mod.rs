@@ -294,7 +294,6 @@ fn round_up(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{fork, rng};
 
     /// Boxes on a grid, some of them flat.
     fn grid() -> Vec<Aabb> {
@@ -311,20 +310,6 @@ mod tests {
         });
         found.sort();
         found
-    }
-
-    #[test]
-    fn any_number_of_threads_builds_the_same_hierarchy() {
-        let random_box = |i: u64| {
-            let [x, y, z, size] = [0, 1, 2, 3].map(|k| rng::random_unit(&[i, k]));
-            let corner = DVec3::new(x * x, y, z);
-            Aabb::from_points([corner, corner + 0.01 * size])
-        };
-        let build = || Bvh::build((0..40_000_usize).map(|i| random_box(i as u64)));
-        let by_one = build();
-        for threads in [2, 3, 7] {
-            assert!(fork::with_threads(threads, build) == by_one, "{threads}");
-        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::math::{Aabb, DVec2, Range, Ray, Sheared, fork};
 use glam::Vec3;
 use std::ops::ControlFlow;
 
-/// Minimum number of packs that a thread of its own makes.
+/// Minimum number of packs that one thread makes in a row.
 const PACKS_FOR_A_THREAD: usize = 1 << 11;
 
 /// Bounding volume hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.

@@ -3,8 +3,8 @@
 //! single point take its coordinates as three numbers, in registers. A `DVec3` would be passed through memory: the
 //! caller writes coordinates one by one, the noise reads two at once, and the processor's store forwarding fails.
 //!
-//! Sums of octaves find the lattice cell of an octave before they compute the noise of the octave before: most of the
-//! noise waits for the tables, and would else fill the processor's queues, so that no other octave could begin.
+//! Sums of octaves find the lattice cell of the next octave before they compute the noise of this one. Otherwise the
+//! operations that wait for this octave's tables fill the processor's queues, and the next octave cannot begin.
 
 use super::super::DVec3;
 use super::{Turbulence, value};

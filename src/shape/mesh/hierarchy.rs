@@ -8,7 +8,7 @@ use crate::shape::{Hit, Hits, Triangle};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Minimum number of a mesh's triangles that a thread of its own handles.
+/// Minimum number of a mesh's triangles that one thread handles in a row.
 const FACES_FOR_A_THREAD: usize = 1 << 13;
 
 /// All triangles of a mesh, with a hierarchy over them.

@@ -131,10 +131,8 @@ fn file_and_triangles_error(span: Span) -> Fault {
 impl Mesh {
     /// Creates a mesh of existing triangles.
     pub fn from_triangles(triangles: Triangles) -> Self {
-        Self(
-            TriangleMesh { triangles: Arc::new(TriangleHierarchy::new(triangles)), ..TriangleMesh::default() },
-            Draft::default(),
-        )
+        let triangles = Arc::new(TriangleHierarchy::new(triangles));
+        Self(TriangleMesh { triangles, ..TriangleMesh::default() }, Draft::default())
     }
 
     /// Reads a triangle or the `file` of a `mesh`, if it is next; returns false otherwise.
