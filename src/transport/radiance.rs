@@ -1,11 +1,11 @@
 //! The loop over ray states: the radiance of one camera ray is the sum over all rays that it spawns.
 
 use super::interface::Interface;
-use super::plain::PlainPoint;
 use super::ray_state::{MAX_SURFACES, RayState};
 use super::scatter::Boundary;
 use super::segment::Span;
 use super::shading_point::ShadingPoint;
+use super::single_layer::SingleLayerPoint;
 use super::tracer::Tracer;
 use crate::atmosphere::{Segment, ViewKind};
 use crate::color::{Rgb, gray};
@@ -87,15 +87,10 @@ impl<'w> Tracer<'w> {
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()
             && material.is_plain
-            && self.has_plain_points
-            && let Some(at) = PlainPoint::new(self.context.world, part, &state.ray, &hit)
+            && self.shows_surfaces_fully
+            && let Some(at) = SingleLayerPoint::on_plain_surface(self.context.world, part, &state.ray, &hit)
         {
-            if !self.ignores_surface_light(state) {
-                self.add_plain_light(state, &at, sum);
-            }
-            if self.context.radiosity.is_some() {
-                sum.rgb += state.throughput * self.indirect_light(state, &at);
-            }
+            self.add_light_of_single_layer(state, &at, sum);
             return self.reflect_at_plain_point(state, &hit, &at);
         }
         self.shade_general_surface(state, &hit, sum)
@@ -111,6 +106,10 @@ impl<'w> Tracer<'w> {
         if part.uncommon.is_none() && material.is_clear && self.try_pass_clear_surface(state, hit, &interface) {
             return true;
         }
+        let (is_single, disperses) = (material.is_single_layer, self.context.world.disperses);
+        if part.uncommon.is_none() && is_single && self.shows_surfaces_fully && !disperses {
+            return self.shade_single_layer(state, hit, &interface, sum);
+        }
         // Light that the surface itself sends
         let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };
         let shading = ShadingPoint::new(self.context.world, &state.ray, hit, quality, &interface);
@@ -121,10 +120,7 @@ impl<'w> Tracer<'w> {
             sum.rgb += state.throughput * self.indirect_light(state, &shading);
         }
         // Rays that continue
-        let attenuation = match self.context.world.colors_light && interface.leaves_interior() {
-            true => self.interior_transmittance(shading.part.interior, hit.t()),
-            false => Rgb::ONE,
-        };
+        let attenuation = self.attenuation_before(&interface, shading.part.interior, hit.t());
         self.scatter(state, &Boundary { shading: &shading, interface: &interface, attenuation }, sum);
         false
     }
@@ -141,10 +137,7 @@ impl<'w> Tracer<'w> {
             return false;
         }
         let interior = world.parts[hit.part_number() as usize].interior;
-        let attenuation = match world.colors_light && interface.leaves_interior() {
-            true => self.interior_transmittance(interior, hit.t()),
-            false => Rgb::ONE,
-        };
+        let attenuation = self.attenuation_before(interface, interior, hit.t());
         state.throughput *= attenuation;
         state.transparency *= gray(Rgb::ONE) * gray(attenuation);
         if self.context.tracks_interiors {
@@ -157,8 +150,18 @@ impl<'w> Tracer<'w> {
         true
     }
 
+    /// Returns the transmittance, without media, of the interior `interior` over a segment of this length at whose end a ray
+    /// meets its boundary: 1 unless the ray leaves the interior there.
+    #[inline]
+    pub(super) fn attenuation_before(&self, interface: &Interface, interior: u32, length: f64) -> Rgb {
+        match self.context.world.colors_light && interface.leaves_interior() {
+            true => self.interior_transmittance(interior, length),
+            false => Rgb::ONE,
+        }
+    }
+
     /// True if the light of surfaces along a ray does not count: that of camera rays in a pass that collects radiosity samples.
-    fn ignores_surface_light(&self, state: &RayState) -> bool {
+    pub(super) fn ignores_surface_light(&self, state: &RayState) -> bool {
         state.bounces == 0 && self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final())
     }
 

@@ -33,7 +33,7 @@ pub(super) enum Transmission {
 }
 
 /// A transmitted or totally reflected ray that continues.
-struct Continuation {
+pub(super) struct Continuation {
     /// Direction of the ray, length 1.
     dir: DVec3,
     /// True for total internal reflection.
@@ -44,6 +44,60 @@ struct Continuation {
     weight: f64,
     /// Factor by which the ray's transparency differs from that of the incoming ray.
     transparency: f64,
+}
+
+impl Transmission {
+    /// True for total internal reflection.
+    pub fn is_total(&self) -> bool {
+        matches!(self, Self::Total | Self::TotalTooFaint)
+    }
+}
+
+/// A ray that meets one material of a surface.
+pub(super) struct Crossing {
+    /// Direction of the ray, length 1.
+    pub dir: DVec3,
+    /// Normal with the bumps of the material, length 1.
+    pub normal: DVec3,
+    /// Normal without bumps, length 1, towards the ray's origin.
+    pub smooth: DVec3,
+    /// Share of the material in a blend of materials.
+    pub share: f64,
+    /// Transmittance of all layers of the material.
+    pub transmittance: Rgb,
+    /// Transmittance of the interior that the ray leaves at the surface.
+    pub attenuation: Rgb,
+}
+
+impl Crossing {
+    /// Returns the continuation of a ray that is refracted or totally reflected; `None` if no single ray continues. `film`
+    /// returns the factor of the thin film for light from a direction.
+    #[inline]
+    pub fn continuation(&self, transmission: &Transmission, film: impl FnOnce(DVec3) -> Rgb) -> Option<Continuation> {
+        let &Self { share, transmittance, attenuation, .. } = self;
+        match *transmission {
+            Transmission::Ends | Transmission::TotalTooFaint | Transmission::Dispersed(_) => None,
+            // The interior's attenuation does not lower the weight (quirk: `attenuation_keeps_weight`).
+            Transmission::Refracted(dir) => Some(Continuation {
+                dir,
+                is_total: false,
+                throughput: share * attenuation * transmittance,
+                weight: transmittance.abs().max_element(),
+                transparency: share * gray(transmittance) * gray(attenuation),
+            }),
+            // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
+            Transmission::Total => {
+                let dir = mirror_direction(self.dir, self.normal, self.smooth);
+                Some(Continuation {
+                    dir,
+                    is_total: true,
+                    throughput: share * attenuation * film(dir),
+                    weight: transmittance.max_element(),
+                    transparency: 0.0,
+                })
+            }
+        }
+    }
 }
 
 impl Continuation {
@@ -72,7 +126,9 @@ impl Tracer<'_> {
         // (A loop: collecting an iterator returns each element through memory.)
         let mut transmissions = SmallVec::<[Transmission; 1]>::new();
         for material in materials {
-            transmissions.push(self.transmission(state, material, boundary));
+            let Boundary { shading, interface, .. } = *boundary;
+            let (transmittance, normal) = (material.transmittance, material.normal);
+            transmissions.push(self.transmission(state, transmittance, normal, interface, shading.part.interior));
         }
         if self.context.quality.reflection {
             self.push_reflected(state, boundary, &transmissions, sum);
@@ -82,24 +138,31 @@ impl Tracer<'_> {
         self.queue[first..].reverse();
     }
 
-    /// Returns how the light that a material transmits continues. The ray ends if the gray of the surface's
-    /// transmittance or the largest channel of its weight is below `adc_bailout` (quirk: `adc_transmission`).
-    fn transmission(&self, state: &RayState, material: &MaterialSample, boundary: &Boundary) -> Transmission {
-        let Boundary { shading, interface, .. } = *boundary;
+    /// Returns how the light continues that a material with this transmittance and normal transmits into the interior
+    /// `interior`. The ray ends if the gray of the surface's transmittance or the largest channel of its weight is below
+    /// `adc_bailout` (quirk: `adc_transmission`).
+    #[inline]
+    pub(super) fn transmission(
+        &self,
+        state: &RayState,
+        transmittance: Rgb,
+        normal: DVec3,
+        interface: &Interface,
+        interior: u32,
+    ) -> Transmission {
         let world = self.context.world;
-        let transmittance = material.transmittance;
         let is_clear =
             self.context.quality.pigments && transmittance != Rgb::ZERO && gray(transmittance).abs() > self.adc_bailout;
         if !is_clear || state.level >= self.max_trace_level {
             return Transmission::Ends;
         }
-        let refracted = interface.refract(state.ray.dir, material.normal);
+        let refracted = interface.refract(state.ray.dir, normal);
         if state.weight * transmittance.abs().max_element() <= self.adc_bailout {
             return if refracted.is_none() { Transmission::TotalTooFaint } else { Transmission::Ends };
         }
         if world.disperses
             && state.hue.is_none()
-            && let Some(samples) = interface.dispersion_samples(&state.inside, shading.part.interior, &world.interiors)
+            && let Some(samples) = interface.dispersion_samples(&state.inside, interior, &world.interiors)
         {
             return Transmission::Dispersed(samples);
         }
@@ -124,7 +187,7 @@ impl Tracer<'_> {
         let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface, world };
         let mut mirrors = SmallVec::<[Mirror; 1]>::new();
         for (material, transmission) in shading.materials.iter().zip(transmissions) {
-            let is_total = matches!(transmission, Transmission::Total | Transmission::TotalTooFaint);
+            let is_total = transmission.is_total();
             for shaded in shading.layers_of(material) {
                 if !(is_total && shaded.normal == material.normal)
                     && let Some(mirror) = Mirror::new(shaded, material.share, context)
@@ -158,57 +221,53 @@ impl Tracer<'_> {
         let world = self.context.world;
         let mut paths = SmallVec::<[Continuation; 1]>::new();
         for (material, transmission) in shading.materials.iter().zip(transmissions) {
-            let MaterialSample { share, transmittance, .. } = *material;
-            let path = match *transmission {
-                Transmission::Ends | Transmission::TotalTooFaint => continue,
-                // The interior's attenuation does not lower the weight (quirk: `attenuation_keeps_weight`).
-                Transmission::Refracted(dir) => Continuation {
-                    dir,
-                    is_total: false,
-                    throughput: share * attenuation * transmittance,
-                    weight: transmittance.abs().max_element(),
-                    transparency: share * gray(transmittance) * gray(attenuation),
-                },
-                // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
-                Transmission::Total => {
-                    let dir = mirror_direction(state.ray.dir, material.normal, shading.smooth);
-                    let film = reflect::total_reflection_film_factor(shading, material, dir, world);
-                    Continuation {
-                        dir,
-                        is_total: true,
-                        throughput: share * attenuation * film,
-                        weight: transmittance.max_element(),
-                        transparency: 0.0,
-                    }
-                }
-                Transmission::Dispersed(samples) => {
-                    self.push_dispersed(state, boundary, material, samples);
-                    continue;
-                }
-            };
+            if let Transmission::Dispersed(samples) = *transmission {
+                self.push_dispersed(state, boundary, material, samples);
+                continue;
+            }
+            let MaterialSample { share, transmittance, normal, .. } = *material;
+            let (dir, smooth) = (state.ray.dir, shading.smooth);
+            let crossing = Crossing { dir, normal, smooth, share, transmittance, attenuation };
+            let film = |out| reflect::total_reflection_film_factor(shading, material, out, world);
+            let Some(path) = crossing.continuation(transmission, film) else { continue };
             match paths.iter_mut().find(|known| known.follows_same_path(&path)) {
                 Some(known) => known.merge(&path),
                 None => paths.push(path),
             }
         }
         for path in &paths {
-            let mut next = state.continued(Ray::new(shading.point, path.dir), path.throughput);
-            next.weight *= path.weight;
-            if path.is_total {
-                (next.level, next.is_reflected) = (state.level + 1, true);
-                self.counts.reflected += 1;
-            } else {
-                next.transparency = state.transparency * path.transparency;
-                next.has_transmitted = true;
-                // A ray that is not bent stays on its level (quirk: `straight_ray_keeps_level`).
-                next.level += u32::from(interface.refracts());
-                if self.context.tracks_interiors {
-                    interface.update_crossed_interiors(&mut next.inside, shading.part.interior);
-                }
-                self.counts.transmitted += 1;
-            }
+            let next = self.transmitted_state(state, shading.point, path, interface, shading.part.interior);
             self.queue.push(next);
         }
+    }
+
+    /// Returns the state of a transmitted or totally reflected ray, which continues from `point` of the boundary of the
+    /// interior `interior`. Counts the ray.
+    #[inline]
+    pub(super) fn transmitted_state(
+        &mut self,
+        state: &RayState,
+        point: DVec3,
+        path: &Continuation,
+        interface: &Interface,
+        interior: u32,
+    ) -> RayState {
+        let mut next = state.continued(Ray::new(point, path.dir), path.throughput);
+        next.weight *= path.weight;
+        if path.is_total {
+            (next.level, next.is_reflected) = (state.level + 1, true);
+            self.counts.reflected += 1;
+        } else {
+            next.transparency = state.transparency * path.transparency;
+            next.has_transmitted = true;
+            // A ray that is not bent stays on its level (quirk: `straight_ray_keeps_level`).
+            next.level += u32::from(interface.refracts());
+            if self.context.tracks_interiors {
+                interface.update_crossed_interiors(&mut next.inside, interior);
+            }
+            self.counts.transmitted += 1;
+        }
+        next
     }
 }
 

@@ -66,9 +66,9 @@ pub struct Tracer<'w> {
     pub(super) max_trace_level: u32,
     /// Importance below which rays are not traced.
     pub(super) adc_bailout: f64,
-    /// True if a [`super::plain::PlainPoint`] may shade plain surfaces: at a quality level that shows lights, pigments and
-    /// reflection.
-    pub(super) has_plain_points: bool,
+    /// True if a [`super::single_layer::SingleLayerPoint`] may shade surfaces: at a quality level that shows lights, pigments
+    /// and reflection.
+    pub(super) shows_surfaces_fully: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
     /// True if shadow rays pass targets of photons as other transparent objects: the lit surface does not collect photons.
@@ -96,7 +96,7 @@ impl<'w> Tracer<'w> {
             queue: vec![],
             max_trace_level: context.world.max_trace_level,
             adc_bailout: context.world.adc_bailout,
-            has_plain_points: quality.lights && quality.pigments && quality.reflection,
+            shows_surfaces_fully: quality.lights && quality.pigments && quality.reflection,
             traces_photons: false,
             targets_transmit_light: false,
             photon_buffers: <[Found; 2]>::default(),

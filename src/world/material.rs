@@ -26,6 +26,9 @@ pub struct Material {
     /// and `conserve_energy`.
     #[serde(skip)]
     pub is_plain: bool,
+    /// True for one layer, opaque or not, that reflects in proportion to the incoming light, without subsurface light.
+    #[serde(skip)]
+    pub is_single_layer: bool,
     /// True if a pattern depends on surface coordinates.
     pub uv: bool,
     /// True if two entries of this material in a blend cannot be merged into one: each reflects and transmits by
@@ -160,6 +163,7 @@ impl Material {
                 ([lowered], [written]) => lowered.is_plain_if_opaque() && is_opaque(written),
                 _ => false,
             },
+            is_single_layer: matches!(&layers[..], [layer] if layer.is_single_layer()),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&reflects_or_has_grain)
                 || !texture.layers.iter().any(is_opaque)
@@ -237,12 +241,14 @@ impl Layer {
     /// True if a material of this layer alone is plain (see [`Material::is_plain`]) if it is also opaque.
     fn is_plain_if_opaque(&self) -> bool {
         let finish = &self.finish;
+        self.is_single_layer() && finish.crand == 0.0 && finish.irid.is_none() && !finish.conserve_energy
+    }
+
+    /// True if a material of this layer alone is a single layer (see [`Material::is_single_layer`]).
+    fn is_single_layer(&self) -> bool {
         self.choice.is_none()
-            && finish.crand == 0.0
-            && finish.irid.is_none()
-            && finish.scattering_length.is_none()
-            && !finish.conserve_energy
-            && finish.mirror.as_ref().is_none_or(|mirror| mirror.exponent == 1.0)
+            && self.finish.scattering_length.is_none()
+            && self.finish.mirror.as_ref().is_none_or(|mirror| mirror.exponent == 1.0)
     }
 
     /// Returns the colour of a layer that has one colour everywhere; `use_quick_color` selects `quick_color`.

@@ -1,0 +1,276 @@
+//! Surfaces of a single layer, the most frequent ones. Shading them needs no lists of materials and layers, and gives the same
+//! bits as [`super::shading_point::ShadingPoint`].
+//!
+//! A plain surface is also opaque, and its reflection is proportional to the incoming light.
+
+use super::direct_light::{LitSurface, emitted_light};
+use super::interface::Interface;
+use super::radiance::Radiance;
+use super::ray_state::RayState;
+use super::reflect::{Mirror, MirrorContext, film_factor, reflected_radiance, unreflected_share_if_conserving};
+use super::scatter::{Crossing, mirror_direction};
+use super::shading_point::{Bumped, ShadedLayer, texture_context};
+use super::tracer::Tracer;
+use crate::color::{Color, Rgb};
+use crate::math::{DVec3, Ray};
+use crate::world::{Intersection, Layer, Part, Surface, World};
+use std::slice;
+
+/// Point of a surface with a single layer; `IS_PLAIN` is true for a plain surface. (A parameter of the type, so that the
+/// compiler inlines the code of plain surfaces into the loop over rays.)
+pub(super) struct SingleLayerPoint<'w, const IS_PLAIN: bool> {
+    part: &'w Part,
+    point: DVec3,
+    /// Normal without bumps, length 1, towards the ray's origin.
+    smooth: DVec3,
+    shaded: ShadedLayer<'w>,
+}
+
+/// Normal and colour of a layer at a point.
+struct EvaluatedLayer<'w> {
+    layer: &'w Layer,
+    /// Normal with the layer's bumps, length 1, in world space.
+    normal: DVec3,
+    /// Factor of the light: 1, or NaN where the bumps are not finite.
+    weight: Rgb,
+    color: Color,
+    /// True if energy is conserved: reflected light is subtracted from transmitted light.
+    conserves_energy: bool,
+}
+
+impl<'w> EvaluatedLayer<'w> {
+    /// Evaluates the only layer of a part's material at a hit of `ray`; `smooth` is the normal without bumps, towards the
+    /// ray's origin. `conserves_energy` is computed only if `MAY_TRANSMIT` is true.
+    #[inline(always)]
+    fn new<const MAY_TRANSMIT: bool>(
+        world: &'w World,
+        part: &'w Part,
+        ray: &Ray,
+        found: &Intersection,
+        (surface, smooth): (&Surface, DVec3),
+    ) -> Self {
+        let layer = &world.materials[part.outside.material as usize].layers[0];
+        let (mut normal, mut weight) = (smooth, Rgb::ONE);
+        let mut conserves_energy = MAY_TRANSMIT && layer.finish.conserve_energy;
+        let color = match layer.color_everywhere(false).filter(|_| layer.normal.is_none()) {
+            Some(color) => color,
+            None => {
+                let (_, mut context) = texture_context(world, &part.outside, found, surface, smooth, ray);
+                if let Some(bumps) = &layer.normal {
+                    let bumped = Bumped::new(bumps, &context, smooth, &part.outside, None);
+                    (normal, weight, context.normal) = (bumped.lit, bumped.weight, bumped.seen);
+                }
+                // quirk: conserve_energy_without_pigment
+                conserves_energy = conserves_energy && !layer.is_outside_once_pictures(&context, false);
+                layer.color(&context, false)
+            }
+        };
+        Self { layer, normal, weight, color, conserves_energy }
+    }
+
+    /// Returns the evaluated layer for a ray with this direction.
+    #[inline(always)]
+    fn shaded(&self, world: &World, dir: DVec3) -> ShadedLayer<'w> {
+        let &Self { layer, normal, weight, color, .. } = self;
+        let opacity = color.opacity(world.opacity_by_color);
+        ShadedLayer { layer, color, opacity, weight, normal, cos: -dir.dot(normal), is_translucent: false }
+    }
+}
+
+impl<'w> SingleLayerPoint<'w, true> {
+    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part. `None` if the surface
+    /// transmits light at this point although its material counts as opaque: an `image_map` that is wrapped around the
+    /// origin or the y axis has no colour there.
+    #[inline(always)]
+    pub fn on_plain_surface(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Option<Self> {
+        let surface = found.surface(ray);
+        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
+        let evaluated = EvaluatedLayer::new::<false>(world, part, ray, found, (&surface, smooth));
+        if evaluated.color.transmittance() != Rgb::ZERO {
+            return None;
+        }
+        Some(Self { part, point: surface.point, smooth, shaded: evaluated.shaded(world, ray.dir) })
+    }
+}
+
+impl<'w> SingleLayerPoint<'w, false> {
+    /// Evaluates the material at the hit `found` of `ray` on a surface of a part, whose optical boundary is `interface`.
+    /// Also returns the transmittance for light from beyond the surface.
+    #[inline(always)]
+    fn with_transmittance(
+        world: &'w World,
+        part: &'w Part,
+        ray: &Ray,
+        found: &Intersection,
+        interface: &Interface,
+    ) -> (Self, Rgb) {
+        let surface = found.surface(ray);
+        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
+        let evaluated = EvaluatedLayer::new::<true>(world, part, ray, found, (&surface, smooth));
+        let shaded = evaluated.shaded(world, ray.dir);
+        let mut transmittance = shaded.color.transmittance();
+        if evaluated.conserves_energy {
+            transmittance *= unreflected_share_if_conserving(&shaded, interface);
+        }
+        let transmittance = shaded.layer.finish.refraction * transmittance;
+        (Self { part, point: surface.point, smooth, shaded }, transmittance)
+    }
+}
+
+impl<'w, const IS_PLAIN: bool> LitSurface<'w> for SingleLayerPoint<'w, IS_PLAIN> {
+    fn part(&self) -> &'w Part {
+        self.part
+    }
+
+    fn point(&self) -> DVec3 {
+        self.point
+    }
+
+    fn smooth_normal(&self) -> DVec3 {
+        self.smooth
+    }
+
+    fn top_normal(&self) -> DVec3 {
+        self.shaded.normal
+    }
+
+    #[inline(always)]
+    fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
+        test(&self.shaded)
+    }
+
+    #[inline(always)]
+    fn weighted_layer_sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+        light(&self.shaded)
+    }
+
+    #[inline(always)]
+    fn for_each_layer(&self, mut visit: impl FnMut(f64, &ShadedLayer<'w>)) {
+        visit(1.0, &self.shaded);
+    }
+}
+
+impl<'w> Tracer<'w> {
+    /// Adds to `sum` the light that a surface emits, and the light of sources and photons that it reflects along the ray.
+    #[inline]
+    pub(super) fn add_light_of_single_layer<const IS_PLAIN: bool>(
+        &mut self,
+        state: &RayState,
+        at: &SingleLayerPoint<'w, IS_PLAIN>,
+        sum: &mut Radiance,
+    ) {
+        if !self.ignores_surface_light(state) {
+            let mut light = at.shaded.weight * emitted_light(&at.shaded, self.context.has_ambient);
+            self.add_light_of_sources(state, at, &mut light);
+            if self.context.photons.is_some() {
+                light += self.photon_light(state, at);
+            }
+            sum.rgb += state.throughput * light;
+        }
+        if self.context.radiosity.is_some() {
+            sum.rgb += state.throughput * self.indirect_light(state, at);
+        }
+    }
+
+    /// Adds the light of a surface of one layer to `sum`, and pushes the rays that continue, except the first. True if there is
+    /// a first one, which then is in `state`. (Not inlined: the loop over rays is faster with the code of plain surfaces
+    /// alone.)
+    #[inline(never)]
+    pub(super) fn shade_single_layer(
+        &mut self,
+        state: &mut RayState,
+        hit: &Intersection<'w>,
+        interface: &Interface,
+        sum: &mut Radiance,
+    ) -> bool {
+        let world = self.context.world;
+        let part = &world.parts[hit.part_number() as usize];
+        let (at, transmittance) = SingleLayerPoint::with_transmittance(world, part, &state.ray, hit, interface);
+        self.add_light_of_single_layer(state, &at, sum);
+        if state.level >= self.max_trace_level || transmittance == Rgb::ZERO && at.shaded.layer.finish.mirror.is_none()
+        {
+            return false;
+        }
+        let transmission = self.transmission(state, transmittance, at.shaded.normal, interface, part.interior);
+        let crossing = Crossing {
+            dir: state.ray.dir,
+            normal: at.shaded.normal,
+            smooth: at.smooth,
+            share: 1.0,
+            transmittance,
+            attenuation: self.attenuation_before(interface, part.interior, hit.t()),
+        };
+        let film = |out| film_factor(at.point, &at.shaded, out, world);
+        let transmitted = crossing.continuation(&transmission, film);
+        let reflects = !transmission.is_total() && at.shaded.layer.finish.mirror.is_some();
+        let reflected = if reflects { self.reflected_ray(state, &at, interface) } else { None };
+        let transmitted =
+            transmitted.map(|path| self.transmitted_state(state, at.point, &path, interface, part.interior));
+        match (reflected, transmitted) {
+            (Some(reflected), transmitted) => {
+                self.queue.extend(transmitted);
+                reflected.replace(state, at.point);
+            }
+            (None, Some(transmitted)) => *state = transmitted,
+            (None, None) => return false,
+        }
+        true
+    }
+
+    /// Replaces a ray by the ray that the plain surface at its hit reflects. False, without any effect, if the surface reflects
+    /// none.
+    pub(super) fn reflect_at_plain_point(
+        &mut self,
+        state: &mut RayState,
+        hit: &Intersection,
+        at: &SingleLayerPoint<'w, true>,
+    ) -> bool {
+        if at.shaded.layer.finish.mirror.is_none() || state.level >= self.max_trace_level {
+            return false;
+        }
+        let interface = self.interface(state, hit);
+        let Some(reflected) = self.reflected_ray(state, at, &interface) else { return false };
+        reflected.replace(state, at.point);
+        true
+    }
+
+    /// Returns the ray that the surface reflects; `None` if it reflects none. Counts the ray.
+    #[inline]
+    fn reflected_ray<const IS_PLAIN: bool>(
+        &mut self,
+        state: &RayState,
+        at: &SingleLayerPoint<'w, IS_PLAIN>,
+        interface: &Interface,
+    ) -> Option<ReflectedRay> {
+        let world = self.context.world;
+        let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface, world };
+        let mirror = Mirror::new(&at.shaded, 1.0, context)?;
+        let dir = mirror_direction(state.ray.dir, at.shaded.normal, at.smooth);
+        let bounce = mirror.bounce();
+        let share = reflected_radiance(slice::from_ref(&mirror), at.point, context, bounce, dir, Rgb::ONE);
+        self.counts.reflected += 1;
+        Some(ReflectedRay { dir, share, weight: bounce.weight })
+    }
+}
+
+/// A ray that a surface reflects.
+struct ReflectedRay {
+    /// Direction of the ray, length 1.
+    dir: DVec3,
+    /// Share of the ray's light that the surface reflects.
+    share: Rgb,
+    /// Importance of the ray.
+    weight: f64,
+}
+
+impl ReflectedRay {
+    /// Replaces the ray of `state`, which hit the surface at `point`, by the reflected ray.
+    #[inline]
+    fn replace(&self, state: &mut RayState, point: DVec3) {
+        state.ray = Ray::new(point, self.dir);
+        (state.level, state.weight, state.is_reflected) = (state.level + 1, self.weight, true);
+        (state.throughput, state.transparency) = (state.throughput * self.share, 0.0);
+        state.gather_rank = None;
+        state.n_surfaces += 1;
+    }
+}
