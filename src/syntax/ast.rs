@@ -4,6 +4,7 @@
 use super::tokens::Tokens;
 use super::word::Word;
 use crate::source::Span;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// Number of a name in [`super::Names`]: a name that the author chose, or a constant of the language.
@@ -139,9 +140,29 @@ pub struct Name {
 #[derive(Clone, Debug)]
 pub struct NumberList {
     /// Numbers of all items of the list, one after another.
-    pub data: Arc<[f64]>,
+    pub data: Numbers,
     /// Number of components of each item of the list.
     pub widths: Widths,
+}
+
+/// Numbers that the copies of a list share.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Numbers {
+    /// Numbers of a short list, beside their count in memory.
+    Short(Arc<[f64]>),
+    /// Numbers of a long list, such as those of a mesh, where they were scanned: a copy would take as much memory again.
+    Long(Arc<Vec<f64>>),
+}
+
+impl Deref for Numbers {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        match self {
+            Self::Short(numbers) => numbers,
+            Self::Long(numbers) => numbers,
+        }
+    }
 }
 
 /// Number of components of each item of a list; 1 is a plain number.
@@ -189,7 +210,7 @@ pub enum ExprKind {
     /// Expression that is a declared name or constant.
     Name(Symbol),
     /// Expression that is a vector `< … >` of literals only.
-    Literal(Arc<[f64]>),
+    Literal(Numbers),
     /// Expression that is a vector `< … >` of expressions.
     Vector(Box<[Element]>),
     /// Expression in parentheses, `( … )`. A macro receives a copy for `(A)` and a reference for `A`.

@@ -1,8 +1,9 @@
 //! Scans literal numbers with own code for speed, since a mesh consists mostly of numbers.
 
-use super::ast::{NumberList, Widths};
+use super::ast::{NumberList, Numbers, Widths};
 use crate::math::fork;
 use crate::source::Span;
+use std::sync::Arc;
 
 /// Scans an unsigned number that starts at the offset `at`. Returns its value and end; `None` without a number.
 pub(super) fn number_and_end(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
@@ -212,8 +213,13 @@ impl ListScanner {
     pub(super) fn take_items(&mut self) -> NumberList {
         let widths = std::mem::take(&mut self.widths).into_widths();
         // (Copying a short list keeps the buffer for the next.)
-        let data =
-            if self.data.len() < LONG { self.data.as_slice().into() } else { std::mem::take(&mut self.data).into() };
+        let data = match self.data.len() {
+            ..LONG => Numbers::Short(self.data.as_slice().into()),
+            _ => {
+                self.data.shrink_to_fit();
+                Numbers::Long(Arc::new(std::mem::take(&mut self.data)))
+            }
+        };
         NumberList { data, widths }
     }
 

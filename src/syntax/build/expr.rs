@@ -224,7 +224,7 @@ impl Builder<'_> {
             }
         }
         let literal = data.len() == parts.len() && data.len() > 1;
-        let kind = if literal { ExprKind::Literal(data.into()) } else { ExprKind::Vector(parts) };
+        let kind = if literal { ExprKind::Literal(Numbers::Short(data.into())) } else { ExprKind::Vector(parts) };
         Some(Expr { span, calls, kind })
     }
 }
