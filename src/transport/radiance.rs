@@ -31,20 +31,29 @@ impl Radiance {
 
 impl<'w> Tracer<'w> {
     /// Returns the radiance along a camera ray, whose direction has length 1.
+    #[inline(always)]
     pub fn camera_radiance(&mut self, ray: Ray) -> Radiance {
         self.counts.camera += 1;
         let inside = self.context.interiors_of_camera_ray(ray.origin);
         self.radiance_times_throughput(RayState::camera(ray, inside))
     }
 
-    /// Returns the radiance along a ray times the throughput of `state`, and the transparency times that of `state`:
-    /// traces the ray and all rays that it spawns, the last spawned first.
-    pub(super) fn radiance_times_throughput(&mut self, mut state: RayState) -> Radiance {
+    /// Returns the radiance along a ray times the throughput of `state`, and the transparency times that of `state`.
+    #[inline(always)]
+    pub(super) fn radiance_times_throughput(&mut self, state: RayState) -> Radiance {
         let mut sum = Radiance::ZERO;
+        self.add_radiance_times_throughput(state, &mut sum);
+        sum
+    }
+
+    /// Adds the radiance along a ray times the throughput of `state`, and the transparency times that of `state`, to `sum`:
+    /// traces the ray and all rays that it spawns, the last spawned first. (A sum that is returned would be copied, which
+    /// waits for the last of its numbers to be stored.)
+    fn add_radiance_times_throughput(&mut self, mut state: RayState, sum: &mut Radiance) {
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();
         while !self.count_surface_and_is_stopped() {
-            if state.n_surfaces < MAX_SURFACES && self.trace_and_continues(&mut state, &mut sum) {
+            if state.n_surfaces < MAX_SURFACES && self.trace_and_continues(&mut state, sum) {
                 continue;
             }
             if self.queue.len() == pending {
@@ -54,7 +63,6 @@ impl<'w> Tracer<'w> {
             state = next;
         }
         self.queue.truncate(pending);
-        sum
     }
 
     /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that

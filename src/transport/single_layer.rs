@@ -55,14 +55,16 @@ impl<'w> EvaluatedLayer<'w> {
         let color = match layer.color_everywhere(false).filter(|_| layer.normal.is_none()) {
             Some(color) => color,
             None => {
-                let (_, mut context) = texture_context(world, &part.outside, found, surface, smooth, ray);
+                // (Taken apart, it would be copied, which takes longer than to compute it.)
+                let mut evaluation = texture_context(world, &part.outside, found, surface, smooth, ray);
+                let context = &mut evaluation.1;
                 if let Some(bumps) = &layer.normal {
-                    let bumped = Bumped::new(bumps, &context, smooth, &part.outside, None);
+                    let bumped = Bumped::new(bumps, context, smooth, &part.outside, None);
                     (normal, weight, context.normal) = (bumped.lit, bumped.weight, bumped.seen);
                 }
                 // quirk: conserve_energy_without_pigment
-                conserves_energy = conserves_energy && !layer.is_outside_once_pictures(&context, false);
-                layer.color(&context, false)
+                conserves_energy = conserves_energy && !layer.is_outside_once_pictures(context, false);
+                layer.color(context, false)
             }
         };
         Self { layer, normal, weight, color, conserves_energy }
