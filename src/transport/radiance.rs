@@ -10,7 +10,7 @@ use super::tracer::Tracer;
 use crate::atmosphere::{Segment, ViewKind};
 use crate::color::{Rgb, gray};
 use crate::math::{Range, Ray};
-use crate::world::{Intersection, RayKind};
+use crate::world::{HitBuffer, Intersection, RayKind};
 
 /// Light that arrives along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,8 @@ impl<'w> Tracer<'w> {
     #[inline]
     fn trace_and_continues(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
-        let Some(hit) = self.closest(state) else {
+        let mut buffer = HitBuffer::default();
+        let Some(hit) = self.closest(state, &mut buffer) else {
             let air = match self.may_cross_fog_or_media(state) {
                 true => self.endless_segment(state),
                 false => Segment::NONE,
@@ -83,7 +84,7 @@ impl<'w> Tracer<'w> {
         // Air between the origin and the hit
         let part = &self.context.world.parts[hit.part_number() as usize];
         if let Some(rank) = state.gather_rank
-            && !self.apply_importance_and_survives(state, rank, &hit)
+            && !self.apply_importance_and_survives(state, rank, hit)
         {
             return false;
         }
@@ -96,12 +97,12 @@ impl<'w> Tracer<'w> {
         if part.uncommon.is_none()
             && material.is_plain
             && self.shows_surfaces_fully
-            && let Some(at) = SingleLayerPoint::on_plain_surface(self.context.world, part, &state.ray, &hit)
+            && let Some(at) = SingleLayerPoint::on_plain_surface(self.context.world, part, &state.ray, hit)
         {
             self.add_light_of_single_layer(state, &at, sum);
-            return self.reflect_at_plain_point(state, &hit, &at);
+            return self.reflect_at_plain_point(state, hit, &at);
         }
-        self.shade_general_surface(state, &hit, sum)
+        self.shade_general_surface(state, hit, sum)
     }
 
     /// Adds the light of a surface to `sum`, and pushes the rays that continue. True if one ray continues that was not pushed,
@@ -184,8 +185,8 @@ impl<'w> Tracer<'w> {
         rank < importance
     }
 
-    /// Returns the closest hit among the objects that are visible to this kind of ray.
-    fn closest(&self, state: &RayState) -> Option<Intersection<'w>> {
+    /// Returns the closest hit among the objects that are visible to this kind of ray, in the buffer.
+    fn closest<'b>(&self, state: &RayState, buffer: &'b mut HitBuffer<'w>) -> Option<&'b Intersection<'w>> {
         let world = self.context.world;
         let kind = match state {
             _ if state.bounces > 0 => RayKind::Radiosity,
@@ -195,7 +196,7 @@ impl<'w> Tracer<'w> {
         };
         let max = if kind == RayKind::Camera { self.context.camera.reach } else { f64::INFINITY };
         let range = Range { min: world.epsilon.surface, max };
-        world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
+        world.geometry.closest_in(buffer, &state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
     }
 
     /// True if fog, rainbows or media may be along the ray, and they count for this ray (`radiosity { media }`).

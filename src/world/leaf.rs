@@ -83,6 +83,21 @@ impl Leaf {
         }
     }
 
+    /// Stores the closest hit of a ray on the shape, as a hit on the object with this number, in `out`, and returns true;
+    /// false without a hit.
+    #[inline]
+    pub(super) fn find_closest<'a>(
+        &'a self,
+        ray: &Ray,
+        range: Range,
+        object: u32,
+        out: &mut Option<Intersection<'a>>,
+    ) -> bool {
+        let Some(Hit { t, part, uv }) = self.closest(ray, range) else { return false };
+        *out = Some(Intersection::new(Hit { t, part, uv }, self, object));
+        true
+    }
+
     #[inline]
     pub(super) fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.place {

@@ -16,7 +16,7 @@ mod probe;
 mod ray_epsilon;
 mod sky;
 
-pub use geometry::{Blocker, Geometry, LightFilters, PlacedSolid, ShadowRole, ShaftOccluder};
+pub use geometry::{Blocker, Geometry, HitBuffer, LightFilters, PlacedSolid, ShadowRole, ShaftOccluder};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_and_free};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};

@@ -35,6 +35,13 @@ enum Item {
     Instance(Instance),
 }
 
+/// Memory for the search of a closest hit.
+#[derive(Debug, Default)]
+pub struct HitBuffer<'a> {
+    /// The closest hit on infinite objects, and the two last hits on finite ones.
+    hits: [Option<Intersection<'a>>; 3],
+}
+
 /// Index of the object that occluded a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocker(usize);
@@ -158,29 +165,51 @@ impl Geometry {
 
     /// Returns the closest hit in the range on the objects for which `accepts_object` returns true. Of several hits at
     /// one point, an infinite object wins, then the object that was declared first (quirk: `first_object_wins`).
-    #[inline]
     pub fn closest(&self, ray: &Ray, range: Range, accepts_object: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
-        let mut range = range;
-        let mut infinite = None;
+        self.closest_in(&mut HitBuffer::default(), ray, range, accepts_object).copied()
+    }
+
+    /// Returns the same as [`Self::closest`], in the buffer. (A hit that is copied right after it is found waits until all
+    /// of its numbers are stored.)
+    #[inline]
+    pub fn closest_in<'a, 'b>(
+        &'a self,
+        buffer: &'b mut HitBuffer<'a>,
+        ray: &Ray,
+        mut range: Range,
+        accepts_object: impl Fn(u32) -> bool,
+    ) -> Option<&'b Intersection<'a>> {
+        let [infinite, finite @ ..] = &mut buffer.hits;
         for item in self.items[self.finite..].iter().filter(|item| accepts_object(item.object())) {
-            if let Some(found) = item.closest(ray, range) {
+            if item.find_closest(ray, range, infinite)
+                && let Some(found) = infinite
+            {
                 range.max = found.t();
-                infinite = Some(found);
             }
         }
-        let mut finite: Option<Intersection> = None;
+        // The closest hit on finite objects is in one place, and the next one is found in the other.
+        let (mut best, mut is_found) = (0, false);
         self.bvh.traverse(ray, range, |i, max| {
             let item = &self.items[i];
-            if accepts_object(item.object())
-                && let Some(found) = item.closest(ray, Range { max, ..range })
-                && finite.is_none_or(|best| found.wins_against(&best))
-            {
-                finite = Some(found);
-                return ControlFlow::Continue(found.t().next_up());
+            if accepts_object(item.object()) && item.find_closest(ray, Range { max, ..range }, &mut finite[1 - best]) {
+                let wins = match &*finite {
+                    [Some(a), Some(b)] => {
+                        if best == 0 {
+                            b.wins_against(a)
+                        } else {
+                            a.wins_against(b)
+                        }
+                    }
+                    _ => true,
+                };
+                if wins && let Some(found) = &finite[1 - best] {
+                    (best, is_found) = (1 - best, true);
+                    return ControlFlow::Continue(found.t().next_up());
+                }
             }
             ControlFlow::Continue(max)
         });
-        finite.or(infinite)
+        if is_found { finite[best].as_ref() } else { infinite.as_ref() }
     }
 
     /// True if the ray hits any object in the range for which `accepts_object` returns true.
@@ -352,12 +381,21 @@ impl Item {
         }
     }
 
+    /// Stores the closest hit of a ray on the object within the range in `out`, and returns true; false without a hit.
     #[inline]
-    fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        match self {
-            Self::Solid(node) => node.closest(ray, range),
+    fn find_closest<'a>(&'a self, ray: &Ray, range: Range, out: &mut Option<Intersection<'a>>) -> bool {
+        let found = match self {
+            Self::Solid(node) => match node.bare_leaf() {
+                Some(leaf) => return leaf.find_closest(ray, range, node.object, out),
+                None => node.closest_of_composite(ray, range),
+            },
             Self::Instance(instance) => instance.closest(ray, range),
+        };
+        let is_hit = found.is_some();
+        if is_hit {
+            *out = found;
         }
+        is_hit
     }
 
     fn any(&self, ray: &Ray, range: Range) -> bool {

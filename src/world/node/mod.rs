@@ -282,6 +282,15 @@ impl SolidNode {
         }
     }
 
+    /// Returns the shape of a node that is a bare, unclipped shape; `None` for a composite solid.
+    #[inline]
+    pub(super) fn bare_leaf(&self) -> Option<&Leaf> {
+        match &self.kind {
+            SolidKind::Leaf(leaf) if self.composite.is_none() => Some(leaf),
+            _ => None,
+        }
+    }
+
     /// Returns the closest hit of a ray on the solid within the range; `None` for a miss.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
@@ -314,7 +323,7 @@ impl SolidNode {
     }
 
     /// Returns the closest hit of a composite solid.
-    fn closest_of_composite<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+    pub(super) fn closest_of_composite<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         if !self.crosses_all_bounds(ray) {
             return None;
         }
