@@ -1,7 +1,7 @@
 //! Surfaces of a single layer, the most frequent ones. Shading them needs no lists of materials and layers, and gives the same
 //! bits as [`super::shading_point::ShadingPoint`].
 //!
-//! A plain surface is also opaque, and its reflection is proportional to the incoming light.
+//! Plain surfaces are the opaque ones without any special effect, see [`crate::world::Material::is_plain`].
 
 use super::direct_light::{LitSurface, emitted_light};
 use super::interface::Interface;
@@ -55,7 +55,7 @@ impl<'w> EvaluatedLayer<'w> {
         let color = match layer.color_everywhere(false).filter(|_| layer.normal.is_none()) {
             Some(color) => color,
             None => {
-                // (Taken apart, it would be copied, which takes longer than to compute it.)
+                // (The compiler would copy the context if the pair were taken apart.)
                 let mut evaluation = texture_context(world, &part.outside, found, surface, smooth, ray);
                 let context = &mut evaluation.1;
                 if let Some(bumps) = &layer.normal {

@@ -38,6 +38,7 @@ mod scene_builder;
 mod scene_contents;
 mod scratch;
 mod shards;
+mod single_layer;
 mod subsurface;
 mod token_granularity;
 mod watch;

@@ -191,21 +191,13 @@ impl Geometry {
         let (mut best, mut is_found) = (0, false);
         self.bvh.traverse(ray, range, |i, max| {
             let item = &self.items[i];
-            if accepts_object(item.object()) && item.find_closest(ray, Range { max, ..range }, &mut finite[1 - best]) {
-                let wins = match &*finite {
-                    [Some(a), Some(b)] => {
-                        if best == 0 {
-                            b.wins_against(a)
-                        } else {
-                            a.wins_against(b)
-                        }
-                    }
-                    _ => true,
-                };
-                if wins && let Some(found) = &finite[1 - best] {
-                    (best, is_found) = (1 - best, true);
-                    return ControlFlow::Continue(found.t().next_up());
-                }
+            if accepts_object(item.object())
+                && item.find_closest(ray, Range { max, ..range }, &mut finite[1 - best])
+                && let Some(found) = &finite[1 - best]
+                && finite[best].as_ref().is_none_or(|before| found.wins_against(before))
+            {
+                (best, is_found) = (1 - best, true);
+                return ControlFlow::Continue(found.t().next_up());
             }
             ControlFlow::Continue(max)
         });
