@@ -148,9 +148,10 @@ pub struct NumberList {
 /// Numbers that the copies of a list share.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Numbers {
-    /// Numbers of a short list, beside their count in memory.
+    /// Numbers of a short list.
     Short(Arc<[f64]>),
-    /// Numbers of a long list, such as those of a mesh, where they were scanned: a copy would take as much memory again.
+    /// Numbers of a long list, such as one of a mesh, in the vector that the scanner filled. (A slice would be a copy, which takes
+    /// as much memory again.)
     Long(Arc<Vec<f64>>),
 }
 

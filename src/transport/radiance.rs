@@ -47,8 +47,8 @@ impl<'w> Tracer<'w> {
     }
 
     /// Adds the radiance along a ray times the throughput of `state`, and the transparency times that of `state`, to `sum`:
-    /// traces the ray and all rays that it spawns, the last spawned first. (A sum that is returned would be copied, which
-    /// waits for the last of its numbers to be stored.)
+    /// traces the ray and all rays that it spawns, the last spawned first. (The sum is not returned, because the copy of a
+    /// returned value can begin only when all of its numbers are stored.)
     fn add_radiance_times_throughput(&mut self, mut state: RayState, sum: &mut Radiance) {
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();

@@ -54,7 +54,7 @@ impl Transmission {
 }
 
 /// A ray that meets one material of a surface.
-pub(super) struct Crossing {
+pub(super) struct RayAtMaterial {
     /// Direction of the ray, length 1.
     pub dir: DVec3,
     /// Normal with the bumps of the material, length 1.
@@ -69,9 +69,9 @@ pub(super) struct Crossing {
     pub attenuation: Rgb,
 }
 
-impl Crossing {
-    /// Returns the continuation of a ray that is refracted or totally reflected; `None` if no single ray continues. `film`
-    /// returns the factor of the thin film for light from a direction.
+impl RayAtMaterial {
+    /// Returns the refracted or totally reflected ray that continues; `None` if no ray does, or several by dispersion. `film`
+    /// returns the factor of the material's thin film for light from a direction.
     #[inline]
     pub fn continuation(&self, transmission: &Transmission, film: impl FnOnce(DVec3) -> Rgb) -> Option<Continuation> {
         let &Self { share, transmittance, attenuation, .. } = self;
@@ -119,14 +119,13 @@ impl Tracer<'_> {
     #[inline(always)]
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
-        let materials = &boundary.shading.materials;
-        if boundary.shading.ends_rays() {
+        let Boundary { shading, interface, .. } = *boundary;
+        if shading.ends_rays() {
             return;
         }
         // (A loop: collecting an iterator returns each element through memory.)
         let mut transmissions = SmallVec::<[Transmission; 1]>::new();
-        for material in materials {
-            let Boundary { shading, interface, .. } = *boundary;
+        for material in &shading.materials {
             let (transmittance, normal) = (material.transmittance, material.normal);
             transmissions.push(self.transmission(state, transmittance, normal, interface, shading.part.interior));
         }
@@ -227,9 +226,9 @@ impl Tracer<'_> {
             }
             let MaterialSample { share, transmittance, normal, .. } = *material;
             let (dir, smooth) = (state.ray.dir, shading.smooth);
-            let crossing = Crossing { dir, normal, smooth, share, transmittance, attenuation };
+            let ray_at_material = RayAtMaterial { dir, normal, smooth, share, transmittance, attenuation };
             let film = |out| reflect::total_reflection_film_factor(shading, material, out, world);
-            let Some(path) = crossing.continuation(transmission, film) else { continue };
+            let Some(path) = ray_at_material.continuation(transmission, film) else { continue };
             match paths.iter_mut().find(|known| known.follows_same_path(&path)) {
                 Some(known) => known.merge(&path),
                 None => paths.push(path),

@@ -8,12 +8,12 @@ use super::interface::Interface;
 use super::radiance::Radiance;
 use super::ray_state::RayState;
 use super::reflect::{Mirror, MirrorContext, film_factor, reflected_radiance, unreflected_share_if_conserving};
-use super::scatter::{Crossing, mirror_direction};
+use super::scatter::{RayAtMaterial, mirror_direction};
 use super::shading_point::{Bumped, ShadedLayer, texture_context};
 use super::tracer::Tracer;
-use crate::color::{Color, Rgb};
+use crate::color::Rgb;
 use crate::math::{DVec3, Ray};
-use crate::world::{Intersection, Layer, Part, Surface, World};
+use crate::world::{Intersection, Part, World};
 use std::slice;
 
 /// Point of a surface with a single layer; `IS_PLAIN` is true for a plain surface. (A parameter of the type, so that the
@@ -24,39 +24,25 @@ pub(super) struct SingleLayerPoint<'w, const IS_PLAIN: bool> {
     /// Normal without bumps, length 1, towards the ray's origin.
     smooth: DVec3,
     shaded: ShadedLayer<'w>,
+    /// Transmittance for light from beyond the surface; 0 for a plain surface.
+    transmittance: Rgb,
 }
 
-/// Normal and colour of a layer at a point.
-struct EvaluatedLayer<'w> {
-    layer: &'w Layer,
-    /// Normal with the layer's bumps, length 1, in world space.
-    normal: DVec3,
-    /// Factor of the light: 1, or NaN where the bumps are not finite.
-    weight: Rgb,
-    color: Color,
-    /// True if energy is conserved: reflected light is subtracted from transmitted light.
-    conserves_energy: bool,
-}
-
-impl<'w> EvaluatedLayer<'w> {
-    /// Evaluates the only layer of a part's material at a hit of `ray`; `smooth` is the normal without bumps, towards the
-    /// ray's origin. `conserves_energy` is computed only if `MAY_TRANSMIT` is true.
+impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
+    /// Evaluates the only layer of a part's material at the hit `found` of `ray`. `interface` is the optical boundary, which
+    /// does not count for a plain surface.
     #[inline(always)]
-    fn new<const MAY_TRANSMIT: bool>(
-        world: &'w World,
-        part: &'w Part,
-        ray: &Ray,
-        found: &Intersection,
-        (surface, smooth): (&Surface, DVec3),
-    ) -> Self {
+    fn evaluate(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection, interface: &Interface) -> Self {
+        let surface = found.surface(ray);
+        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
         let layer = &world.materials[part.outside.material as usize].layers[0];
         let (mut normal, mut weight) = (smooth, Rgb::ONE);
-        let mut conserves_energy = MAY_TRANSMIT && layer.finish.conserve_energy;
+        let mut conserves_energy = !IS_PLAIN && layer.finish.conserve_energy;
         let color = match layer.color_everywhere(false).filter(|_| layer.normal.is_none()) {
             Some(color) => color,
             None => {
                 // (The compiler would copy the context if the pair were taken apart.)
-                let mut evaluation = texture_context(world, &part.outside, found, surface, smooth, ray);
+                let mut evaluation = texture_context(world, &part.outside, found, &surface, smooth, ray);
                 let context = &mut evaluation.1;
                 if let Some(bumps) = &layer.normal {
                     let bumped = Bumped::new(bumps, context, smooth, &part.outside, None);
@@ -67,15 +53,17 @@ impl<'w> EvaluatedLayer<'w> {
                 layer.color(context, false)
             }
         };
-        Self { layer, normal, weight, color, conserves_energy }
-    }
-
-    /// Returns the evaluated layer for a ray with this direction.
-    #[inline(always)]
-    fn shaded(&self, world: &World, dir: DVec3) -> ShadedLayer<'w> {
-        let &Self { layer, normal, weight, color, .. } = self;
         let opacity = color.opacity(world.opacity_by_color);
-        ShadedLayer { layer, color, opacity, weight, normal, cos: -dir.dot(normal), is_translucent: false }
+        let cos = -ray.dir.dot(normal);
+        let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent: false };
+        let mut transmittance = color.transmittance();
+        if conserves_energy {
+            transmittance *= unreflected_share_if_conserving(&shaded, interface);
+        }
+        if !IS_PLAIN {
+            transmittance = layer.finish.refraction * transmittance;
+        }
+        Self { part, point: surface.point, smooth, shaded, transmittance }
     }
 }
 
@@ -85,37 +73,8 @@ impl<'w> SingleLayerPoint<'w, true> {
     /// origin or the y axis has no colour there.
     #[inline(always)]
     pub fn on_plain_surface(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Option<Self> {
-        let surface = found.surface(ray);
-        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
-        let evaluated = EvaluatedLayer::new::<false>(world, part, ray, found, (&surface, smooth));
-        if evaluated.color.transmittance() != Rgb::ZERO {
-            return None;
-        }
-        Some(Self { part, point: surface.point, smooth, shaded: evaluated.shaded(world, ray.dir) })
-    }
-}
-
-impl<'w> SingleLayerPoint<'w, false> {
-    /// Evaluates the material at the hit `found` of `ray` on a surface of a part, whose optical boundary is `interface`.
-    /// Also returns the transmittance for light from beyond the surface.
-    #[inline(always)]
-    fn with_transmittance(
-        world: &'w World,
-        part: &'w Part,
-        ray: &Ray,
-        found: &Intersection,
-        interface: &Interface,
-    ) -> (Self, Rgb) {
-        let surface = found.surface(ray);
-        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
-        let evaluated = EvaluatedLayer::new::<true>(world, part, ray, found, (&surface, smooth));
-        let shaded = evaluated.shaded(world, ray.dir);
-        let mut transmittance = shaded.color.transmittance();
-        if evaluated.conserves_energy {
-            transmittance *= unreflected_share_if_conserving(&shaded, interface);
-        }
-        let transmittance = shaded.layer.finish.refraction * transmittance;
-        (Self { part, point: surface.point, smooth, shaded }, transmittance)
+        let at = Self::evaluate(world, part, ray, found, &Interface::NONE);
+        if at.transmittance == Rgb::ZERO { Some(at) } else { None }
     }
 }
 
@@ -187,25 +146,23 @@ impl<'w> Tracer<'w> {
     ) -> bool {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
-        let (at, transmittance) = SingleLayerPoint::with_transmittance(world, part, &state.ray, hit, interface);
+        let at = SingleLayerPoint::<false>::evaluate(world, part, &state.ray, hit, interface);
         self.add_light_of_single_layer(state, &at, sum);
-        if state.level >= self.max_trace_level || transmittance == Rgb::ZERO && at.shaded.layer.finish.mirror.is_none()
-        {
+        if state.level >= self.max_trace_level {
             return false;
         }
-        let transmission = self.transmission(state, transmittance, at.shaded.normal, interface, part.interior);
-        let crossing = Crossing {
+        let transmission = self.transmission(state, at.transmittance, at.shaded.normal, interface, part.interior);
+        let ray_at_material = RayAtMaterial {
             dir: state.ray.dir,
             normal: at.shaded.normal,
             smooth: at.smooth,
             share: 1.0,
-            transmittance,
+            transmittance: at.transmittance,
             attenuation: self.attenuation_before(interface, part.interior, hit.t()),
         };
         let film = |out| film_factor(at.point, &at.shaded, out, world);
-        let transmitted = crossing.continuation(&transmission, film);
-        let reflects = !transmission.is_total() && at.shaded.layer.finish.mirror.is_some();
-        let reflected = if reflects { self.reflected_ray(state, &at, interface) } else { None };
+        let transmitted = ray_at_material.continuation(&transmission, film);
+        let reflected = if transmission.is_total() { None } else { self.reflected_ray(state, &at, interface) };
         let transmitted =
             transmitted.map(|path| self.transmitted_state(state, at.point, &path, interface, part.interior));
         match (reflected, transmitted) {

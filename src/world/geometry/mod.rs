@@ -169,8 +169,8 @@ impl Geometry {
         self.closest_in(&mut HitBuffer::default(), ray, range, accepts_object).copied()
     }
 
-    /// Returns the same as [`Self::closest`], in the buffer. (A hit that is copied right after it is found waits until all
-    /// of its numbers are stored.)
+    /// Returns the same as [`Self::closest`], but the hit stays in the buffer. (The copy of a hit can begin only when all of its
+    /// numbers are stored, and would delay every ray.)
     #[inline]
     pub fn closest_in<'a, 'b>(
         &'a self,

@@ -294,20 +294,18 @@ impl SolidNode {
     /// Returns the closest hit of a ray on the solid within the range; `None` for a miss.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        match &self.kind {
-            SolidKind::Leaf(leaf) if self.composite.is_none() => {
-                leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
-            }
-            _ => self.closest_of_composite(ray, range),
+        match self.bare_leaf() {
+            Some(leaf) => leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object)),
+            None => self.closest_of_composite(ray, range),
         }
     }
 
     /// True if the ray hits the solid anywhere in the range.
     #[inline]
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
-        match &self.kind {
-            SolidKind::Leaf(leaf) if self.composite.is_none() => leaf.any(ray, range),
-            _ => self.any_of_composite(ray, range),
+        match self.bare_leaf() {
+            Some(leaf) => leaf.any(ray, range),
+            None => self.any_of_composite(ray, range),
         }
     }
 
