@@ -3,34 +3,54 @@
 //! Not `num-complex`: its `exp`, `ln`, `sqrt` and `sinh` call the functions of the system, whose last bits differ between machines, and
 //! its methods of these names would hide portable ones.
 
-use super::fp;
+use super::{Lanes, fp};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A complex number, x + iy.
+/// A complex number, x + iy; with `T` as [`Lanes`], several complex numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Complex {
+pub struct Complex<T = f64> {
     /// The real part x.
-    pub x: f64,
+    pub x: T,
     /// The imaginary part y.
-    pub y: f64,
+    pub y: T,
 }
 
-impl Complex {
+impl<T> Complex<T> {
     /// Returns the complex number x + iy.
-    pub const fn new(x: f64, y: f64) -> Self {
+    pub const fn new(x: T, y: T) -> Self {
         Self { x, y }
     }
+}
 
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
     /// Returns the square z².
+    #[inline]
     pub fn square(self) -> Self {
         Self::new(self.x * self.x - self.y * self.y, (self.x + self.x) * self.y)
     }
 
     /// Returns the squared absolute value |z|².
-    pub fn length_squared(self) -> f64 {
+    #[inline]
+    pub fn length_squared(self) -> T {
         self.x * self.x + self.y * self.y
     }
+}
 
+impl<const N: usize> Complex<Lanes<N>> {
+    /// Puts complex numbers side by side.
+    #[inline]
+    pub fn side_by_side(numbers: [Complex; N]) -> Self {
+        Self::new(Lanes(numbers.map(|z| z.x)), Lanes(numbers.map(|z| z.y)))
+    }
+
+    /// Returns the complex number in a lane.
+    #[inline]
+    pub fn lane(self, index: usize) -> Complex {
+        Complex::new(self.x.0[index], self.y.0[index])
+    }
+}
+
+impl Complex {
     /// Returns i·z: the number turned counter-clockwise by 90°.
     pub fn times_i(self) -> Self {
         Self::new(-self.y, self.x)
@@ -59,10 +79,13 @@ impl Complex {
         let ((sin, cos), (sinh, cosh)) = (fp::sin_cos(self.y), (fp::sinh(self.x), fp::cosh(self.x)));
         (Self::new(sinh * cos, cosh * sin), Self::new(cosh * cos, sinh * sin))
     }
+}
 
-    /// Returns zⁿ, by repeated squaring.
-    pub fn power(self, mut n: u32) -> Self {
-        let (mut result, mut base) = (Self::new(1.0, 0.0), self);
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
+    /// Returns zⁿ times `unit`, which is 1, by repeated squaring.
+    #[inline]
+    fn power_times_unit(self, mut n: u32, unit: Self) -> Self {
+        let (mut result, mut base) = (unit, self);
         while n > 0 {
             if n & 1 == 1 {
                 result = result * base;
@@ -74,36 +97,57 @@ impl Complex {
     }
 }
 
-impl Add for Complex {
+impl Complex {
+    /// Returns zⁿ.
+    #[inline]
+    pub fn power(self, n: u32) -> Self {
+        self.power_times_unit(n, Self::new(1.0, 0.0))
+    }
+}
+
+impl<const N: usize> Complex<Lanes<N>> {
+    /// Returns zⁿ in each lane.
+    #[inline]
+    pub fn power(self, n: u32) -> Self {
+        self.power_times_unit(n, Self::new(Lanes([1.0; N]), Lanes([0.0; N])))
+    }
+}
+
+impl<T: Add<Output = T>> Add for Complex<T> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y)
     }
 }
 
-impl Sub for Complex {
+impl<T: Sub<Output = T>> Sub for Complex<T> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y)
     }
 }
 
-impl Neg for Complex {
+impl<T: Neg<Output = T>> Neg for Complex<T> {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y)
     }
 }
 
-impl Add<f64> for Complex {
+impl<T: Add<f64, Output = T>> Add<f64> for Complex<T> {
     type Output = Self;
+    #[inline]
     fn add(self, real: f64) -> Self {
         Self::new(self.x + real, self.y)
     }
 }
 
-impl Mul for Complex {
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Mul for Complex<T> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self::new(self.x * other.x - self.y * other.y, self.x * other.y + self.y * other.x)
     }
@@ -111,13 +155,23 @@ impl Mul for Complex {
 
 impl Mul<Complex> for f64 {
     type Output = Complex;
+    #[inline]
     fn mul(self, z: Complex) -> Complex {
         Complex::new(self * z.x, self * z.y)
     }
 }
 
-impl Div for Complex {
+impl<const N: usize> Mul<Complex<Lanes<N>>> for f64 {
+    type Output = Complex<Lanes<N>>;
+    #[inline]
+    fn mul(self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>> {
+        Complex::new(self * z.x, self * z.y)
+    }
+}
+
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>> Div for Complex<T> {
     type Output = Self;
+    #[inline]
     fn div(self, by: Self) -> Self {
         let d = by.length_squared();
         Self::new((self.x * by.x + self.y * by.y) / d, (self.y * by.x - self.x * by.y) / d)

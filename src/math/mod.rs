@@ -7,6 +7,7 @@ mod complex;
 mod crossing;
 pub mod fork;
 pub mod fp;
+mod lanes;
 pub mod noise;
 mod poly;
 mod quadratic;
@@ -22,6 +23,7 @@ pub use aabb::Aabb;
 pub use complex::Complex;
 pub use crossing::root_between;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
+pub use lanes::Lanes;
 pub use poly::{
     MAX_DEGREE, bernstein_roots, bernstein_roots_in_window, polynomial_roots_between, solve_quadratic,
     solve_quadratic_with_discriminant,

@@ -47,6 +47,8 @@ impl Range {
     pub const ALL: Range = Range { min: f64::NEG_INFINITY, max: f64::INFINITY };
     /// Interval of the half-line: t > 0, as in the lecture.
     pub const FORWARD: Range = Range { min: 0.0, max: f64::INFINITY };
+    /// Interval that contains no `t`.
+    pub const EMPTY: Range = Range { min: f64::INFINITY, max: f64::NEG_INFINITY };
 
     /// Returns the intersection of two intervals of `t`.
     pub fn intersection(self, other: Range) -> Range {

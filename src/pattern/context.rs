@@ -87,6 +87,12 @@ pub trait Field {
         self.value(at)
     }
 
+    /// Returns [`Field::value_with_params`] at four points: a pattern whose number takes a long chain of operations
+    /// computes them side by side.
+    fn values_with_params(&self, at: &[TextureContext; 4], params: &FieldParams) -> [f64; 4] {
+        at.each_ref().map(|at| self.value_with_params(at, params))
+    }
+
     /// Returns bounds on the pattern's numbers within a radius of the point, before frequency, phase and wave.
     fn value_bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
         LocalBounds::UNKNOWN

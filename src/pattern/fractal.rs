@@ -5,13 +5,14 @@
 //! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
-use super::{Field, GRAYS, SIX_COLORS, TextureContext};
+use super::{Field, FieldParams, GRAYS, SIX_COLORS, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Complex, DVec2};
+use crate::math::{Complex, DVec2, Lanes};
 use crate::value::words::{Row, set, specs, word};
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
+use std::array::from_fn;
 
 /// Property of a fractal's orbit that becomes the pattern's number, and its factor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -32,6 +33,112 @@ pub struct Orbits {
     pub exterior: OrbitValue,
     /// Property for points of a fractal that never escape.
     pub interior: OrbitValue,
+}
+
+/// Formula that N orbits of a fractal follow side by side. (A trait, because the compiler inlines closures only if they are
+/// called in one place.)
+trait Formula<const N: usize> {
+    /// Returns the next positions of the orbits.
+    fn next(&self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>>;
+
+    /// Returns for each orbit whether it has escaped, or reached a fixed point.
+    fn have_left(&self, z: Complex<Lanes<N>>) -> [bool; N];
+}
+
+/// Formula z² + c.
+struct Square<const N: usize> {
+    c: Complex<Lanes<N>>,
+}
+
+impl<const N: usize> Formula<N> for Square<N> {
+    #[inline(always)]
+    fn next(&self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>> {
+        z.square() + self.c
+    }
+
+    #[inline(always)]
+    fn have_left(&self, z: Complex<Lanes<N>>) -> [bool; N] {
+        z.length_squared().0.map(|square| square > ESCAPE)
+    }
+}
+
+/// Formula zⁿ + c.
+struct Power<const N: usize> {
+    n: u32,
+    c: Complex<Lanes<N>>,
+}
+
+impl<const N: usize> Formula<N> for Power<N> {
+    fn next(&self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>> {
+        z.power(self.n) + self.c
+    }
+
+    #[inline(always)]
+    fn have_left(&self, z: Complex<Lanes<N>>) -> [bool; N] {
+        z.length_squared().0.map(|square| square > ESCAPE)
+    }
+}
+
+/// First formula of magnetic renormalisation, ((z² + c - 1) / (2z + c - 2))².
+struct FirstMagnet<const N: usize> {
+    c: Complex<Lanes<N>>,
+}
+
+impl<const N: usize> Formula<N> for FirstMagnet<N> {
+    #[inline(always)]
+    fn next(&self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>> {
+        ((z.square() + (self.c + -1.0)) / (2.0 * z + (self.c + -2.0))).square()
+    }
+
+    #[inline(always)]
+    fn have_left(&self, z: Complex<Lanes<N>>) -> [bool; N] {
+        have_escaped_or_converged(z)
+    }
+}
+
+/// Second formula of magnetic renormalisation: with p = (c - 1)(c - 2), the square of the quotient of z³ + 3(c - 1)z + p and
+/// 3z² + 3(c - 2)z + p + 1.
+struct SecondMagnet<const N: usize> {
+    c: Complex<Lanes<N>>,
+}
+
+impl<const N: usize> Formula<N> for SecondMagnet<N> {
+    #[inline(always)]
+    fn next(&self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>> {
+        let (c1, c2) = (self.c + -1.0, self.c + -2.0);
+        let product = c1 * c2;
+        let above = z * z.square() + 3.0 * (c1 * z) + product;
+        let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
+        (above / below).square()
+    }
+
+    #[inline(always)]
+    fn have_left(&self, z: Complex<Lanes<N>>) -> [bool; N] {
+        have_escaped_or_converged(z)
+    }
+}
+
+/// Position of N orbits of a fractal side by side, and their least squared distances from 0 so far.
+#[derive(Clone, Copy)]
+struct Position<const N: usize> {
+    z: Complex<Lanes<N>>,
+    least: Lanes<N>,
+}
+
+impl<const N: usize> Position<N> {
+    /// Moves to the next position; the least distances are only found if `LEAST` is true.
+    #[inline(always)]
+    fn advance<const LEAST: bool>(&mut self, formula: &impl Formula<N>) {
+        self.z = formula.next(self.z);
+        if LEAST {
+            self.least = self.least.min(self.z.length_squared());
+        }
+    }
+
+    /// Returns the result of the orbit in a lane if its last position is this one.
+    fn end(&self, lane: usize) -> End {
+        End::Stays(self.z.lane(lane), self.least.0[lane])
+    }
 }
 
 /// Result of a fractal's orbit.
@@ -84,20 +191,25 @@ impl Orbits {
         Ok(Self { iterations, exterior, interior })
     }
 
-    /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until `has_left` is true.
-    /// `includes_start` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
-    fn orbit_pattern_value<const BLOCK: u32>(
+    /// Returns the pattern's numbers for orbits that begin at `z` and follow a formula until they leave. `includes_start`
+    /// is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
+    #[inline(always)]
+    fn orbit_pattern_values<const BLOCK: u32, const N: usize>(
         &self,
-        z: Complex,
-        step: impl Fn(Complex) -> Complex,
-        has_left: impl Fn(Complex) -> bool,
+        z: [Complex; N],
+        formula: impl Formula<N>,
         includes_start: bool,
-    ) -> f64 {
+    ) -> [f64; N] {
         // Only interior type 1 needs the least distance from 0: loops without it are faster.
-        let end = match self.interior.kind {
-            1 => self.follow_orbit::<BLOCK, true>(z, step, has_left, includes_start),
-            _ => self.follow_orbit::<BLOCK, false>(z, step, has_left, includes_start),
+        let ends = match self.interior.kind {
+            1 => self.follow_orbits::<BLOCK, true, N>(z, &formula, includes_start),
+            _ => self.follow_orbits::<BLOCK, false, N>(z, &formula, includes_start),
         };
+        ends.map(|end| self.value_at_end(end))
+    }
+
+    /// Returns the pattern's number for an orbit with this end.
+    fn value_at_end(&self, end: End) -> f64 {
         match end {
             End::Left(i, z) => {
                 let OrbitValue { kind, factor } = self.exterior;
@@ -121,62 +233,73 @@ impl Orbits {
         }
     }
 
+    /// Follows N orbits side by side.
     #[inline(always)]
-    fn follow_orbit<const BLOCK: u32, const LEAST: bool>(
+    fn follow_orbits<const BLOCK: u32, const LEAST: bool, const N: usize>(
         &self,
-        z: Complex,
-        step: impl Fn(Complex) -> Complex,
-        has_left: impl Fn(Complex) -> bool,
+        z: [Complex; N],
+        formula: &impl Formula<N>,
         includes_start: bool,
-    ) -> End {
-        let (mut z, mut least) = (z, if includes_start { z.length_squared() } else { f64::INFINITY });
-        let next = |z: &mut Complex, least: &mut f64| {
-            *z = step(*z);
-            if LEAST {
-                *least = least.min(z.length_squared());
-            }
-        };
+    ) -> [End; N] {
+        let z = Complex::side_by_side(z);
+        let least = if includes_start { z.length_squared() } else { Lanes([f64::INFINITY; N]) };
+        let (mut now, mut ends, mut goes_on) = (Position { z, least }, [const { None }; N], [true; N]);
         // An orbit that returns to an earlier position is periodic: compare with one position, which is replaced ever
         // more rarely (R. P. Brent, "An improved Monte Carlo factorization algorithm", 1980, section 2).
-        let (mut been, mut since, mut change) = (Complex::new(f64::NAN, f64::NAN), 0, BLOCK);
+        let (mut been, mut since, mut change) =
+            (Complex::side_by_side([Complex::new(f64::NAN, f64::NAN); N]), 0, BLOCK);
         let mut i = 0;
-        while i < self.iterations {
-            // Iterate some steps without tests; if the orbit has left meanwhile, repeat them one by one.
-            let (mut ahead, mut ahead_least) = (z, least);
+        while i < self.iterations && goes_on.contains(&true) {
+            // Iterate some steps without tests; if an orbit has left meanwhile, repeat them one by one.
+            let mut ahead = now;
             let blind = self.iterations - i >= BLOCK;
             if blind {
-                (0..BLOCK).for_each(|_| next(&mut ahead, &mut ahead_least));
+                (0..BLOCK).for_each(|_| ahead.advance::<LEAST>(formula));
             }
-            if blind && !(ahead.x + ahead.y).is_nan() && !has_left(ahead) {
-                (z, least) = (ahead, ahead_least);
+            let (left, sum) = (formula.have_left(ahead.z), ahead.z.x + ahead.z.y);
+            if blind && !(0..N).any(|lane| goes_on[lane] & (left[lane] | sum.0[lane].is_nan())) {
+                now = ahead;
                 i += BLOCK;
             } else {
                 for _ in 0..BLOCK.min(self.iterations - i) {
-                    next(&mut z, &mut least);
-                    if has_left(z) {
-                        return End::Left(i, z);
+                    now.advance::<LEAST>(formula);
+                    let left = formula.have_left(now.z);
+                    for lane in 0..N {
+                        if goes_on[lane] && left[lane] {
+                            (ends[lane], goes_on[lane]) = (Some(End::Left(i, now.z.lane(lane))), false);
+                        }
                     }
                     i += 1;
                 }
             }
-            if z == been {
-                let round = i - since;
-                (0..(self.iterations - i) % round).for_each(|_| next(&mut z, &mut least));
-                break;
+            for lane in 0..N {
+                if goes_on[lane] & (now.z.x.0[lane] == been.x.0[lane]) & (now.z.y.0[lane] == been.y.0[lane]) {
+                    let mut last = now;
+                    (0..(self.iterations - i) % (i - since)).for_each(|_| last.advance::<LEAST>(formula));
+                    (ends[lane], goes_on[lane]) = (Some(last.end(lane)), false);
+                }
             }
             if i >= change {
-                (been, since, change) = (z, i, 2 * i);
+                (been, since, change) = (now.z, i, 2 * i);
             }
         }
-        End::Stays(z, least)
+        let mut lanes = 0..N;
+        ends.map(|end| {
+            let lane = lanes.next().unwrap_or(0);
+            end.unwrap_or_else(|| now.end(lane))
+        })
     }
 
-    /// Returns the pattern's number for the orbit z → zⁿ + c.
-    fn power_orbit_value(&self, n: u32, z: Complex, c: Complex) -> f64 {
+    /// Returns the pattern's numbers for N orbits z → zⁿ + c.
+    #[inline(always)]
+    fn power_orbit_values<const N: usize>(&self, n: u32, z: [Complex; N], c: [Complex; N]) -> [f64; N] {
+        let lanes = Complex::side_by_side(c);
         match n {
-            2 if !has_escaped(c) => self.orbit_pattern_value::<8>(z, |z| z.square() + c, has_escaped, true),
-            2 => self.orbit_pattern_value::<1>(z, |z| z.square() + c, has_escaped, true),
-            n => self.orbit_pattern_value::<1>(z, |z| z.power(n) + c, has_escaped, true),
+            2 if !c.iter().any(|c| c.length_squared() > ESCAPE) => {
+                self.orbit_pattern_values::<8, N>(z, Square { c: lanes }, true)
+            }
+            2 => self.orbit_pattern_values::<1, N>(z, Square { c: lanes }, true),
+            n => self.orbit_pattern_values::<1, N>(z, Power { n, c: lanes }, true),
         }
     }
 
@@ -198,9 +321,19 @@ impl Orbits {
     }
 }
 
-/// True if z has escaped: |z| then grows for ever if |c| ≤ 2.
-fn has_escaped(z: Complex) -> bool {
-    z.length_squared() > 4.0
+/// Returns the point x + iy of the complex plane at which a texture is evaluated.
+fn complex_point(at: &TextureContext) -> Complex {
+    Complex::new(at.p.x, at.p.y)
+}
+
+/// Squared length beyond which z has escaped: |z| then grows for ever if |c| ≤ 2.
+const ESCAPE: f64 = 4.0;
+
+/// Returns for each orbit of `magnet` whether it has escaped, or converged to the fixed point 1.
+#[inline(always)]
+fn have_escaped_or_converged<const N: usize>(z: Complex<Lanes<N>>) -> [bool; N] {
+    let (square, from_one) = (z.length_squared(), (z + -1.0).length_squared());
+    from_fn(|lane| (square.0[lane] > 10_000.0) | (from_one.0[lane] < 1e-4))
 }
 
 fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
@@ -249,14 +382,36 @@ fn is_in_main_cardioid_or_disc(c: Complex) -> bool {
     q * (q + x) < 0.25 * y2 - LEAST || (c.x + 1.0) * (c.x + 1.0) + y2 < 0.0625 - LEAST
 }
 
+impl Mandel {
+    /// Returns the pattern's numbers at N points.
+    #[inline(always)]
+    fn values_at<const N: usize>(&self, points: [Complex; N]) -> [f64; N] {
+        self.orbits.power_orbit_values(self.exponent, points, points)
+    }
+
+    /// True if the pattern's number at a point is known without its orbit.
+    fn is_known(&self, c: Complex) -> bool {
+        self.orbits.interior.kind == 0 && self.exponent == 2 && is_in_main_cardioid_or_disc(c)
+    }
+}
+
 impl Field for Mandel {
     fn value(&self, at: &TextureContext) -> f64 {
-        let c = Complex::new(at.p.x, at.p.y);
-        let OrbitValue { kind, factor } = self.orbits.interior;
-        if kind == 0 && self.exponent == 2 && is_in_main_cardioid_or_disc(c) {
+        let c = complex_point(at);
+        if self.is_known(c) {
+            let OrbitValue { kind, factor } = self.orbits.interior;
             return Orbits::last_position_value(kind, c) * factor;
         }
-        self.orbits.power_orbit_value(self.exponent, c, c)
+        let [value] = self.values_at([c]);
+        value
+    }
+
+    fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {
+        let points = at.each_ref().map(complex_point);
+        if points.iter().any(|c| self.is_known(*c)) {
+            return at.each_ref().map(|at| self.value(at));
+        }
+        self.values_at(points)
     }
 
     /// Returns the colours of `mandel` without a map; exponents other than 2 have gray defaults (quirk:
@@ -301,10 +456,23 @@ impl Readable for Julia {
     }
 }
 
+impl Julia {
+    /// Returns the pattern's numbers at N points.
+    #[inline(always)]
+    fn values_at<const N: usize>(&self, points: [Complex; N]) -> [f64; N] {
+        let c = Complex::new(self.constant.x, self.constant.y);
+        self.orbits.power_orbit_values(self.exponent, points, [c; N])
+    }
+}
+
 impl Field for Julia {
     fn value(&self, at: &TextureContext) -> f64 {
-        let c = Complex::new(self.constant.x, self.constant.y);
-        self.orbits.power_orbit_value(self.exponent, Complex::new(at.p.x, at.p.y), c)
+        let [value] = self.values_at([complex_point(at)]);
+        value
+    }
+
+    fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {
+        self.values_at(at.each_ref().map(complex_point))
     }
 }
 
@@ -368,33 +536,31 @@ impl Readable for Magnet {
     }
 }
 
+impl Magnet {
+    /// Returns the pattern's numbers at N points.
+    #[inline(always)]
+    fn values_at<const N: usize>(&self, points: [Complex; N]) -> [f64; N] {
+        let (start, c) = match self.constant {
+            Some(c) => (points, [Complex::new(c.x, c.y); N]),
+            None => ([Complex::new(0.0, 0.0); N], points),
+        };
+        let (c, includes_start) = (Complex::side_by_side(c), self.constant.is_some());
+        if self.second {
+            self.orbits.orbit_pattern_values::<1, N>(start, SecondMagnet { c }, includes_start)
+        } else {
+            self.orbits.orbit_pattern_values::<1, N>(start, FirstMagnet { c }, includes_start)
+        }
+    }
+}
+
 impl Field for Magnet {
     fn value(&self, at: &TextureContext) -> f64 {
-        let point = Complex::new(at.p.x, at.p.y);
-        let (start, c) = match self.constant {
-            Some(c) => (point, Complex::new(c.x, c.y)),
-            None => (Complex::new(0.0, 0.0), point),
-        };
-        // escaped, or converged to the fixed point 1
-        let left = |z: Complex| z.length_squared() > 10_000.0 || (z + -1.0).length_squared() < 1e-4;
-        let (c1, c2) = (c + -1.0, c + -2.0);
-        let includes_start = self.constant.is_some();
-        if self.second {
-            let product = c1 * c2;
-            let step = |z: Complex| {
-                let above = z * z.square() + 3.0 * (c1 * z) + product;
-                let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
-                (above / below).square()
-            };
-            self.orbits.orbit_pattern_value::<1>(start, step, left, includes_start)
-        } else {
-            self.orbits.orbit_pattern_value::<1>(
-                start,
-                |z| ((z.square() + c1) / (2.0 * z + c2)).square(),
-                left,
-                includes_start,
-            )
-        }
+        let [value] = self.values_at([complex_point(at)]);
+        value
+    }
+
+    fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {
+        self.values_at(at.each_ref().map(complex_point))
     }
 }
 
@@ -402,6 +568,7 @@ impl Field for Magnet {
 mod tests {
     use super::*;
     use crate::math::DVec3;
+    use crate::pattern::FieldPattern;
 
     fn orbits(exterior: u8, interior: u8) -> Orbits {
         let shown = |kind| OrbitValue { kind, factor: 0.5 };
@@ -430,7 +597,7 @@ mod tests {
         let (mut within, mut stays) = (0, 0);
         for i in 0..40_000 {
             let c = Complex::new(f64::from(i % 200) * 0.0131 - 2.05, f64::from(i / 200) * 0.0117 - 1.17);
-            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_value(2, c, c) == 0.5;
+            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_values(2, [c], [c]) == [0.5];
             within += u32::from(is_in_main_cardioid_or_disc(c));
             stays += u32::from(orbit);
             assert!(orbit || !is_in_main_cardioid_or_disc(c), "{} {}", c.x, c.y);
@@ -438,5 +605,34 @@ mod tests {
         // The areas are 3π/8 and π/16, of 1.507 for the whole set.
         let share = f64::from(within) / f64::from(stays);
         assert!((share - 0.912).abs() < 0.01, "{share}");
+    }
+
+    #[test]
+    fn four_points_have_the_bits_of_single_points() {
+        let constant = Some(DVec2::new(0.31, 0.44));
+        for (kind, iterations) in [(0, 10), (1, 57), (2, 200), (5, 1), (6, 33)] {
+            let orbits = Orbits { iterations, ..orbits(if kind == 0 { 1 } else { kind }, kind) };
+            let mut fields: Vec<FieldPattern> = vec![];
+            for exponent in [2, 3, 7] {
+                fields.push(Mandel { orbits, exponent }.into());
+                fields.push(Julia { orbits, exponent, constant: DVec2::new(-0.4, 0.6) }.into());
+                fields.push(Julia { orbits, exponent, constant: DVec2::new(-2.4, 0.6) }.into());
+            }
+            for second in [false, true] {
+                fields.push(Magnet { second, constant, orbits }.into());
+                fields.push(Magnet { second, constant: None, orbits }.into());
+            }
+            for field in fields {
+                for i in 0..400 {
+                    let p = DVec3::new(f64::from(i % 20) * 0.27 - 2.9, f64::from(i / 20) * 0.24 - 2.6, 0.0);
+                    let spread = if i % 3 == 0 { 0.5 } else { 1e-3 };
+                    let corners = [DVec3::X, DVec3::Y, -DVec3::Y, DVec3::ZERO].map(|d| p + spread * d);
+                    let at = corners.map(|p| TextureContext::without_surface(p, Default::default()));
+                    let single = at.each_ref().map(|at| field.value(at).to_bits());
+                    let four = field.values_with_params(&at, &FieldParams::NONE).map(f64::to_bits);
+                    assert_eq!(four, single, "{field:?} at {p}");
+                }
+            }
+        }
     }
 }

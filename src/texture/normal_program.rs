@@ -136,13 +136,15 @@ impl NormalProgram {
             return DVec3::ZERO;
         }
         let h = self.accuracy;
-        let sum: DVec3 = TETRAHEDRON.iter().map(|&d| self.height_at(&inner.with_point(inner.p + h * d)) * d).sum();
+        let corners = TETRAHEDRON.map(|d| inner.with_point(inner.p + h * d));
+        let numbers = self.pattern.numbers_in_pattern_space(corners);
+        let heights = numbers.into_iter().map(|number| self.height_of_number(number));
+        let sum: DVec3 = heights.zip(TETRAHEDRON).map(|(height, d)| height * d).sum();
         sum * (-self.amount * 0.1 / h)
     }
 
-    /// Apparent height of the surface with bumps.
-    fn height_at(&self, inner: &TextureContext) -> f64 {
-        let number = self.pattern.number_in_pattern_space(inner);
+    /// Apparent height of the surface with bumps where the pattern has this number.
+    fn height_of_number(&self, number: f64) -> f64 {
         match &self.relief {
             ReliefProgram::Slopes(map) => match map.entries_and_fraction_at(number) {
                 (only, None) => only.height,

@@ -17,6 +17,10 @@ const MAX_START_EXTENT: f64 = 1e100;
 /// Distance by which each half-space that clips a box is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
 
+/// Deviation of a half-space's normal, length 1, from an axis up to which it counts as parallel to the axis: rounding of a
+/// rotation, with a reserve.
+const AXIS_DEVIATION: f64 = 1e-12;
+
 /// Rounding error of the height above a half-space, relative to the coordinates, with a reserve.
 const NOISE: f64 = 1e-12;
 
@@ -39,6 +43,15 @@ impl HalfSpace {
         let (length, distance) = (n.length(), distance - normal.dot(m.inv.translation));
         let plane = Self { normal: n / length, distance: distance / length };
         (length > 0.0 && plane.normal.is_finite() && plane.distance.is_finite()).then_some(plane)
+    }
+
+    /// Returns the half-space in the object space of `m`; `None` if not finite.
+    fn to_object_space(self, m: &Transform) -> Option<Self> {
+        // n·(A·p + b) ≤ d: (Aᵀ·n)·p ≤ d - n·b
+        let n = m.m.matrix3.transpose() * self.normal;
+        let (length, distance) = (n.length(), self.distance - self.normal.dot(m.m.translation));
+        let local = Self { normal: n / length, distance: distance / length };
+        (length > 0.0 && local.normal.is_finite() && local.distance.is_finite()).then_some(local)
     }
 
     /// True if each ray of the shaft leaves the half-space within half the distance `min` and does not return, so that
@@ -70,6 +83,26 @@ pub fn push_half_spaces_of(shape: &Shape, m: &Transform, inverse: bool, out: &mu
             HalfSpace::from_object_space(m, normal, distance + 2.0 * tolerance::INSIDE)
         }),
     );
+}
+
+/// Returns the box, in the object space of `m`, of the half-spaces that are perpendicular to one of its axes; infinite
+/// where there is none. `planes` are in world space.
+pub fn slabs_in_object_space(planes: &[HalfSpace], m: &Transform) -> Aabb {
+    let mut slabs = Aabb::INFINITE;
+    for HalfSpace { normal, distance } in planes.iter().filter_map(|plane| plane.to_object_space(m)) {
+        for axis in 0..3 {
+            let deviation = (normal - normal[axis].signum() * DVec3::AXES[axis]).abs().max_element();
+            if deviation > AXIS_DEVIATION {
+                continue;
+            }
+            if normal[axis] > 0.0 {
+                slabs.max[axis] = slabs.max[axis].min(distance);
+            } else {
+                slabs.min[axis] = slabs.min[axis].max(-distance);
+            }
+        }
+    }
+    slabs
 }
 
 /// Returns a box around the intersection of the box `start` with all half-spaces; `start` itself if no half-space is
@@ -219,5 +252,17 @@ mod tests {
         assert!(near(left, Aabb::from_corners(DVec3::NEG_ONE, DVec3::new(-0.5, -0.5, 1.0))));
         let through = HalfSpace { normal: DVec3::new(1.0, 1.0, 0.0).normalize(), distance: 0.0 };
         assert_eq!(clip_box(Aabb::INFINITE, &[through]), Aabb::INFINITE);
+    }
+
+    #[test]
+    fn slabs_of_rotated_planes() {
+        let turn =
+            Transform::scale(DVec3::new(2.0, 3.0, 1.0)).unwrap().then(&Transform::rotate(DVec3::new(20.0, 30.0, 40.0)));
+        let turn = turn.then(&Transform::translate(DVec3::new(5.0, 6.0, 7.0)));
+        let planes = [(DVec3::Y, 4.0), (DVec3::NEG_Y, -1.0), (DVec3::Z, 3.0), (DVec3::new(0.6, 0.8, 0.0), 1.0)];
+        let planes: Vec<_> = planes.iter().filter_map(|(n, d)| HalfSpace::from_object_space(&turn, *n, *d)).collect();
+        let Aabb { min, max } = slabs_in_object_space(&planes, &turn);
+        assert!((max.y - 4.0).abs() < 1e-12 && (min.y - 1.0).abs() < 1e-12 && (max.z - 3.0).abs() < 1e-12);
+        assert_eq!([min.x, min.z, max.x], [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY]);
     }
 }

@@ -1,5 +1,6 @@
 //! A shape with its transform, and hits on such a shape.
 
+use super::halfspace::{self, HalfSpace};
 use super::instance::Instance;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
 use crate::shape::{Hit, Hits, Kernel, Shape};
@@ -127,6 +128,17 @@ impl Leaf {
         let own = self.shape.bounding_quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };
         Some(self.place.as_ref().map_or(upright, |m| upright.transformed(m)))
+    }
+
+    /// Returns a box, in world space, around the points of the half-spaces `planes` that are inside the shape, or outside if
+    /// it is inverted; `None` if the shape is no quadric or the points are unbounded. Planes that are perpendicular to an
+    /// axis of the quadric count, however they are rotated together.
+    pub(super) fn quadric_bounds_between(&self, planes: &[HalfSpace]) -> Option<Aabb> {
+        let own = self.shape.bounding_quadratic()?;
+        let upright = if self.inverse { own.negated() } else { own };
+        let transform = self.transform();
+        let local = upright.nonpositive_bounds_within(halfspace::slabs_in_object_space(planes, &transform));
+        (local.min.is_finite() && local.max.is_finite()).then(|| loosened(transform.transform_aabb(&local)))
     }
 
     /// Returns a box around all hits and a box around all inside points, in world space.

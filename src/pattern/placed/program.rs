@@ -107,6 +107,18 @@ impl PatternProgram {
         self.map_number_in_pattern_space(inner, 0.0)
     }
 
+    /// Returns [`Self::number_in_pattern_space`] at four points.
+    pub fn numbers_in_pattern_space(&self, mut inner: [TextureContext; 4]) -> [f64; 4] {
+        let Value::Field(number) = &self.value else {
+            return inner.each_ref().map(|inner| self.number_in_pattern_space(inner));
+        };
+        if let Some(noise) = number.noise {
+            inner.iter_mut().for_each(|inner| inner.noise = noise);
+        }
+        let values = number.field.values_with_params(&inner, &number.field_params());
+        values.map(|value| number.modifiers.apply_to_number(value))
+    }
+
     /// Returns the number of [`Self::pattern_number_for_map`] at a point in the lowered pattern's space.
     fn map_number_in_pattern_space(&self, inner: &TextureContext, constant_below: f64) -> f64 {
         match &self.value {

@@ -13,6 +13,9 @@ pub const STEPS: f64 = 65536.0;
 const BLOCK: usize = 4;
 /// Distance above or below a height field's heights that exceeds all rounding, in steps.
 const SLACK: f64 = 1e-3;
+/// Distance from the edge of a height field's cell below which rounding may decide on which side a point of a ray is, in
+/// cells.
+const ROUNDING_IN_CELLS: f64 = 1e-3;
 
 /// Heights of a height field at the corners of cells, row by row: x grows along a row, z from row to row.
 #[derive(Debug)]
@@ -219,9 +222,29 @@ impl Grid {
             let t = [line.near.max(range.min), line.far.min(range.max)];
             if t[0] <= t[1] {
                 let way = RayPiece { t, y: t.map(|t| line.height_at(t)) };
-                let _ = self.visit_hits_in_square(top, [0, 0], way, &mut line);
+                let (level, square) = self.smallest_square_under(&way, &line, top);
+                if !way.is_clear_of(self.pyramid[level].range_of_square(square)) {
+                    let _ = self.visit_hits_in_square(level, square, way, &mut line);
+                }
             }
         }
+    }
+
+    /// Returns the level and the indices of the smallest square of the height field's pyramid that the line is over along the
+    /// whole of `way`; at most the level `top`.
+    fn smallest_square_under(&self, way: &RayPiece, line: &Line, top: usize) -> (usize, [usize; 2]) {
+        // First and last cell along an axis, with the neighbour where rounding may decide.
+        let cells = |o: f64, d: f64, last: usize| {
+            let [a, b] = way.t.map(|t| o + d * t);
+            let cell = |x: f64| (x.max(0.0) as usize).min(last);
+            [cell(a.min(b) - ROUNDING_IN_CELLS), cell(a.max(b) + ROUNDING_IN_CELLS)]
+        };
+        let (i, k) = (cells(line.o.x, line.d.x, self.across - 1), cells(line.o.z, line.d.z, self.deep - 1));
+        // The highest bit in which both cells of an axis differ.
+        let differing = ((i[0] ^ i[1]) | (k[0] ^ k[1])) / BLOCK;
+        let level = ((usize::BITS - differing.leading_zeros()) as usize).min(top);
+        let size = self.pyramid[level].size;
+        (level, [i[0] / size, k[0] / size])
     }
 
     /// Visits the hits in a square of a height field's pyramid, whose heights the line may reach; the line is over the square

@@ -134,6 +134,9 @@ impl SolidNode {
                     (surface, solid) =
                         (quadratic.nonpositive_bounds_within(surface), quadratic.nonpositive_bounds_within(solid));
                 }
+                if let Some(all) = leaf.quadric_bounds_between(&planes) {
+                    (surface, solid) = (surface.intersection(all), solid.intersection(all));
+                }
             });
         }
         // A child is relevant to a ray within the box of its surface, and to a point where it can be the exception.

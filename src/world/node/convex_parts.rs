@@ -34,7 +34,7 @@ impl SolidNode {
         });
         match found {
             Ok(()) => is_hit,
-            Err(convex_interval::UnknownInterval) => self.closest_of_parts(ray, range).is_some(),
+            Err(convex_interval::UnknownInterval) => self.any_of_parts(ray, range),
         }
     }
 

@@ -311,13 +311,63 @@ impl SolidNode {
 
     /// True if the ray hits a composite solid anywhere in the range.
     fn any_of_composite(&self, ray: &Ray, range: Range) -> bool {
-        match &self.kind {
-            SolidKind::Leaf(leaf) if self.clip().is_empty() => self.crosses_all_bounds(ray) && leaf.any(ray, range),
-            SolidKind::Intersection(_) | SolidKind::Merge(_) if self.has_convex_parts() => {
-                self.crosses_all_bounds(ray) && self.any_of_convex_parts(ray, range)
-            }
-            _ => self.closest_of_composite(ray, range).is_some(),
+        if !self.crosses_all_bounds(ray) {
+            return false;
         }
+        match &self.kind {
+            SolidKind::Leaf(leaf) if self.clip().is_empty() => leaf.any(ray, range),
+            SolidKind::Leaf(leaf) => self.any_of_clipped_leaf(leaf, ray, range),
+            SolidKind::Union(_) => self.any_of_union(ray, range),
+            _ if self.has_convex_parts() => self.any_of_convex_parts(ray, range),
+            _ => self.any_of_parts(ray, range),
+        }
+    }
+
+    /// True if a hit on a clipped shape is inside all clipping solids.
+    fn any_of_clipped_leaf(&self, leaf: &Leaf, ray: &Ray, range: Range) -> bool {
+        let Some(range) = self.range_in_box_and_clips(ray, range) else { return false };
+        let mut hits = Hits::new();
+        leaf.limited_hits_for_csg(ray, range, &mut hits);
+        hits.iter().any(|hit| self.is_inside_all_clips(ray.at(hit.t)))
+    }
+
+    /// True if a hit on a part of a union is inside all clipping solids of the union.
+    fn any_of_union(&self, ray: &Ray, range: Range) -> bool {
+        let (mut found, mut hits) = (false, Intersections::new());
+        self.each_child_on_ray(ray, range, |_, child, range| {
+            found = match self.clip() {
+                [] => child.any(ray, range),
+                _ => self.first_unclipped_hit(child, ray, range, &mut hits).is_some(),
+            };
+            if found { Range::EMPTY } else { range }
+        });
+        found
+    }
+
+    /// Returns the first hit of a ray on a child that is not clipped away. `buffer` is overwritten.
+    fn first_unclipped_hit<'a>(
+        &self,
+        child: &'a SolidNode,
+        ray: &Ray,
+        range: Range,
+        buffer: &mut Intersections<'a>,
+    ) -> Option<Intersection<'a>> {
+        // Usually the first hit on a shape decides.
+        if let Some(leaf) = child.bare_leaf() {
+            let hit = leaf.closest(ray, range)?;
+            if self.is_inside_all_clips(ray.at(hit.t)) {
+                return Some(Intersection::new(hit, leaf, child.object));
+            }
+        }
+        buffer.clear();
+        child.hits(ray, range, buffer);
+        let mut first: Option<Intersection> = None;
+        for hit in buffer.iter() {
+            if first.is_none_or(|first| hit.t() < first.t()) && self.is_inside_all_clips(ray.at(hit.t())) {
+                first = Some(*hit);
+            }
+        }
+        first
     }
 
     /// Returns the closest hit of a composite solid.
@@ -371,14 +421,10 @@ impl SolidNode {
         let mut best: Option<(usize, Intersection)> = None;
         let mut hits = Intersections::new();
         self.each_child_on_ray(ray, range, |i, child, range| {
-            hits.clear();
-            child.hits(ray, range, &mut hits);
-            for found in &hits {
-                let before =
-                    |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
-                if best.is_none_or(before) && self.is_inside_all_clips(ray.at(found.t())) {
-                    best = Some((i, *found));
-                }
+            let Some(found) = self.first_unclipped_hit(child, ray, range, &mut hits) else { return range };
+            let wins = |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
+            if best.is_none_or(wins) {
+                best = Some((i, found));
             }
             best.map_or(range, |(_, found)| Range { max: range.max.min(found.t().next_up()), ..range })
         });

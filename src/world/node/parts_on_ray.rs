@@ -32,6 +32,15 @@ struct PartOnRay<'a> {
     interval: Option<ConvexInterval>,
 }
 
+impl PartOnRay<'_> {
+    /// True if the point of the ray is inside the part.
+    #[inline]
+    fn contains(&self, at: &PointOnRay) -> bool {
+        let known = self.interval.as_ref().and_then(|interval| interval.contains(at.t));
+        known.unwrap_or_else(|| self.node.inside(at.point))
+    }
+}
+
 /// A hit on a part, before the test whether the hit is on the solid's surface.
 #[derive(Clone, Copy)]
 struct Candidate {
@@ -60,6 +69,16 @@ impl SolidNode {
             parts.is_on_surface_of_solid(self, candidate, &at) && self.is_inside_all_clips(at.point)
         });
         kept.map(|candidate| parts.intersection(candidate, self.object))
+    }
+
+    /// True if any hit on an intersection or merge is on its surface and not clipped away.
+    pub(super) fn any_of_parts(&self, ray: &Ray, range: Range) -> bool {
+        let mut parts = PartsOnRay::new();
+        parts.collect(self, ray, range);
+        parts.candidates.iter().any(|candidate| {
+            let at = PointOnRay { t: candidate.t, point: ray.at(candidate.t) };
+            parts.is_on_surface_of_solid(self, candidate, &at) && self.is_inside_all_clips(at.point)
+        })
     }
 
     /// Appends all hits on an intersection or merge before clipping to `out`, in no particular order.
@@ -114,6 +133,11 @@ pub(super) struct PartNumbers {
 }
 
 impl PartNumbers {
+    /// True if the parts are the children themselves.
+    fn are_children(&self) -> bool {
+        self.first.is_empty()
+    }
+
     /// Numbers the parts of the children of a composite solid.
     pub(super) fn new(children: &[SolidNode]) -> Self {
         if children.iter().all(SolidNode::is_single_part) {
@@ -231,7 +255,13 @@ impl<'a> PartsOnRay<'a> {
 
     /// True if a hit on a part is on the surface of the whole solid before clipping.
     fn is_on_surface_of_solid(&self, solid: &SolidNode, candidate: &Candidate, at: &PointOnRay) -> bool {
-        self.is_on_surface(solid, 0, self.parts[candidate.part as usize].number as usize, at)
+        let hit = candidate.part as usize;
+        if !solid.part_numbers().is_some_and(PartNumbers::are_children) {
+            return self.is_on_surface(solid, 0, self.parts[hit].number as usize, at);
+        }
+        // Children that the ray cannot hit decide nothing.
+        let merged = matches!(solid.kind, SolidKind::Merge(_));
+        self.parts.iter().enumerate().all(|(i, other)| i == hit || other.contains(at) != merged)
     }
 
     /// True if a hit on part `part` of the solid is on the surface of `node`, which contains that part. `first` is the number
