@@ -115,9 +115,15 @@ impl<'w> Tracer<'w> {
         if part.uncommon.is_none() && material.is_clear && self.try_pass_clear_surface(state, hit, &interface) {
             return true;
         }
-        let (is_single, disperses) = (material.is_single_layer, self.context.world.disperses);
-        if part.uncommon.is_none() && is_single && self.shows_surfaces_fully && !disperses {
-            return self.shade_single_layer(state, hit, &interface, sum);
+        if part.uncommon.is_none() && self.shows_surfaces_fully && !self.context.world.disperses {
+            if material.is_single_layer {
+                return self.shade_single_layer(state, hit, &interface, sum);
+            }
+            if material.selects_single_layers
+                && let Some(continues) = self.shade_selected_layer(state, hit, &interface, sum)
+            {
+                return continues;
+            }
         }
         // Light that the surface itself sends
         let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };

@@ -181,7 +181,7 @@ impl<'w> Painter<'w, '_> {
         share: f64,
         frame: Option<&PatternSpaces>,
     ) {
-        match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
+        match material.choice() {
             Some(choice) => {
                 let (number, inner) = choice.pattern.number_and_entry_context(&self.context_with_pattern_normal(ctx));
                 let inner = TextureContext { normal: ctx.normal, ..inner };
@@ -295,8 +295,8 @@ impl Bumped {
 
 /// Spaces of the nested patterns that chose a texture, the innermost first.
 pub(super) struct PatternSpaces<'a> {
-    space: &'a Space,
-    outer: Option<&'a PatternSpaces<'a>>,
+    pub space: &'a Space,
+    pub outer: Option<&'a PatternSpaces<'a>>,
 }
 
 impl PatternSpaces<'_> {

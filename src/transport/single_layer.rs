@@ -1,5 +1,6 @@
-//! Surfaces of a single layer, the most frequent ones. Shading them needs no lists of materials and layers, and gives the same
-//! bits as [`super::shading_point::ShadingPoint`].
+//! Surfaces that show a single layer, the most frequent ones: of a material with one layer, or of one that a pattern selects,
+//! such as the squares of a checkerboard. Shading them needs no lists of materials and layers, and gives the same bits as
+//! [`super::shading_point::ShadingPoint`].
 //!
 //! Plain surfaces are the opaque ones without any special effect, see [`crate::world::Material::is_plain`].
 
@@ -9,11 +10,12 @@ use super::radiance::Radiance;
 use super::ray_state::RayState;
 use super::reflect::{Mirror, MirrorContext, film_factor, reflected_radiance, unreflected_share_if_conserving};
 use super::scatter::{RayAtMaterial, mirror_direction};
-use super::shading_point::{Bumped, ShadedLayer, texture_context};
+use super::shading_point::{Bumped, PatternSpaces, ShadedLayer, texture_context};
 use super::tracer::Tracer;
-use crate::color::Rgb;
+use crate::color::{Color, Rgb};
 use crate::math::{DVec3, Ray};
-use crate::world::{Intersection, Part, World};
+use crate::pattern::TextureContext;
+use crate::world::{Intersection, Layer, Part, Surface, World};
 use std::slice;
 
 /// Point of a surface with a single layer; `IS_PLAIN` is true for a plain surface. (A parameter of the type, so that the
@@ -28,42 +30,106 @@ pub(super) struct SingleLayerPoint<'w, const IS_PLAIN: bool> {
     transmittance: Rgb,
 }
 
+/// Pigment and normal of a layer at a point.
+struct Look {
+    color: Color,
+    /// Normal with the layer's bumps, length 1, in world space.
+    normal: DVec3,
+    /// Factor of the light, see [`Bumped::weight`].
+    weight: Rgb,
+    /// True if reflected light is subtracted from transmitted light at this point.
+    conserves_energy: bool,
+}
+
+impl Look {
+    /// Evaluates a layer that has bumps or a pattern. `frame` is the space of the pattern that selected the layer; `None`
+    /// if it is the part's only one.
+    #[inline(always)]
+    fn at(layer: &Layer, context: &mut TextureContext, part: &Part, frame: Option<&PatternSpaces>) -> Self {
+        let (mut normal, mut weight) = (context.normal, Rgb::ONE);
+        if let Some(bumps) = &layer.normal {
+            let bumped = Bumped::new(bumps, context, normal, &part.outside, frame);
+            (normal, weight, context.normal) = (bumped.lit, bumped.weight, bumped.seen);
+        }
+        // quirk: conserve_energy_without_pigment
+        let conserves_energy = layer.finish.conserve_energy && !layer.is_outside_once_pictures(context, false);
+        Self { color: layer.color(context, false), normal, weight, conserves_energy }
+    }
+
+    /// Returns the look of a layer with one colour everywhere and without bumps; `None` for others.
+    #[inline(always)]
+    fn everywhere(layer: &Layer, normal: DVec3) -> Option<Self> {
+        let color = layer.color_everywhere(false).filter(|_| layer.normal.is_none())?;
+        Some(Self { color, normal, weight: Rgb::ONE, conserves_energy: layer.finish.conserve_energy })
+    }
+}
+
 impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
     /// Evaluates the only layer of a part's material at the hit `found` of `ray`. `interface` is the optical boundary, which
     /// does not count for a plain surface.
     #[inline(always)]
     fn evaluate(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection, interface: &Interface) -> Self {
         let surface = found.surface(ray);
-        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
+        let smooth = facing_normal(&surface, ray);
         let layer = &world.materials[part.outside.material as usize].layers[0];
-        let (mut normal, mut weight) = (smooth, Rgb::ONE);
-        let mut conserves_energy = !IS_PLAIN && layer.finish.conserve_energy;
-        let color = match layer.color_everywhere(false).filter(|_| layer.normal.is_none()) {
-            Some(color) => color,
-            None => {
-                // (The compiler would copy the context if the pair were taken apart.)
-                let mut evaluation = texture_context(world, &part.outside, found, &surface, smooth, ray);
-                let context = &mut evaluation.1;
-                if let Some(bumps) = &layer.normal {
-                    let bumped = Bumped::new(bumps, context, smooth, &part.outside, None);
-                    (normal, weight, context.normal) = (bumped.lit, bumped.weight, bumped.seen);
-                }
-                // quirk: conserve_energy_without_pigment
-                conserves_energy = conserves_energy && !layer.is_outside_once_pictures(context, false);
-                layer.color(context, false)
-            }
-        };
+        let look = Look::everywhere(layer, smooth).unwrap_or_else(|| {
+            // (The compiler would copy the context if the pair were taken apart.)
+            let mut evaluation = texture_context(world, &part.outside, found, &surface, smooth, ray);
+            Look::at(layer, &mut evaluation.1, part, None)
+        });
+        Self::new(world, part, layer, (surface.point, smooth), ray.dir, &look, interface)
+    }
+
+    #[inline(always)]
+    fn new(
+        world: &World,
+        part: &'w Part,
+        layer: &'w Layer,
+        (point, smooth): (DVec3, DVec3),
+        ray_dir: DVec3,
+        look: &Look,
+        interface: &Interface,
+    ) -> Self {
+        let &Look { color, normal, weight, conserves_energy } = look;
         let opacity = color.opacity(world.opacity_by_color);
-        let cos = -ray.dir.dot(normal);
-        let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent: false };
+        let shaded =
+            ShadedLayer { layer, color, opacity, weight, normal, cos: -ray_dir.dot(normal), is_translucent: false };
         let mut transmittance = color.transmittance();
-        if conserves_energy {
+        if !IS_PLAIN && conserves_energy {
             transmittance *= unreflected_share_if_conserving(&shaded, interface);
         }
         if !IS_PLAIN {
             transmittance = layer.finish.refraction * transmittance;
         }
-        Self { part, point: surface.point, smooth, shaded, transmittance }
+        Self { part, point, smooth, shaded, transmittance }
+    }
+}
+
+/// Returns the normal of a surface on the side of the ray's origin.
+#[inline(always)]
+fn facing_normal(surface: &Surface, ray: &Ray) -> DVec3 {
+    if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal }
+}
+
+impl<'w> SingleLayerPoint<'w, false> {
+    /// Evaluates the layer that a pattern of materials selects at the hit `found` of `ray`, if the part's material
+    /// [selects single layers](crate::world::Material::selects_single_layers). `None` if the pattern selects none.
+    fn of_selected_layer(
+        world: &'w World,
+        part: &'w Part,
+        ray: &Ray,
+        found: &Intersection,
+        interface: &Interface,
+    ) -> Option<Self> {
+        let surface = found.surface(ray);
+        let smooth = facing_normal(&surface, ray);
+        let evaluation = texture_context(world, &part.outside, found, &surface, smooth, ray);
+        let choice = evaluation.0.choice()?;
+        let (number, mut inner) = choice.pattern.number_and_entry_context(&evaluation.1);
+        let layer = &choice.only_material(number)?.layers[0];
+        let frame = PatternSpaces { space: &choice.space, outer: None };
+        let look = Look::everywhere(layer, smooth).unwrap_or_else(|| Look::at(layer, &mut inner, part, Some(&frame)));
+        Some(Self::new(world, part, layer, (surface.point, smooth), ray.dir, &look, interface))
     }
 }
 
@@ -147,8 +213,38 @@ impl<'w> Tracer<'w> {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
         let at = SingleLayerPoint::<false>::evaluate(world, part, &state.ray, hit, interface);
-        self.add_light_of_single_layer(state, &at, sum);
-        if state.level >= self.max_trace_level {
+        self.shade_at_single_layer(state, hit, &at, interface, sum)
+    }
+
+    /// As [`Self::shade_single_layer`], for a surface whose material selects single layers. `None`, without any effect, if it
+    /// selects none at the hit.
+    #[inline(never)]
+    pub(super) fn shade_selected_layer(
+        &mut self,
+        state: &mut RayState,
+        hit: &Intersection<'w>,
+        interface: &Interface,
+        sum: &mut Radiance,
+    ) -> Option<bool> {
+        let world = self.context.world;
+        let part = &world.parts[hit.part_number() as usize];
+        let at = SingleLayerPoint::of_selected_layer(world, part, &state.ray, hit, interface)?;
+        Some(self.shade_at_single_layer(state, hit, &at, interface, sum))
+    }
+
+    #[inline(always)]
+    fn shade_at_single_layer(
+        &mut self,
+        state: &mut RayState,
+        hit: &Intersection<'w>,
+        at: &SingleLayerPoint<'w, false>,
+        interface: &Interface,
+        sum: &mut Radiance,
+    ) -> bool {
+        let (world, part) = (self.context.world, at.part);
+        self.add_light_of_single_layer(state, at, sum);
+        let ends_ray = at.transmittance == Rgb::ZERO && at.shaded.layer.finish.mirror.is_none();
+        if ends_ray || state.level >= self.max_trace_level {
             return false;
         }
         let transmission = self.transmission(state, at.transmittance, at.shaded.normal, interface, part.interior);
@@ -162,7 +258,7 @@ impl<'w> Tracer<'w> {
         };
         let film = |out| film_factor(at.point, &at.shaded, out, world);
         let transmitted = ray_at_material.continuation(&transmission, film);
-        let reflected = if transmission.is_total() { None } else { self.reflected_ray(state, &at, interface) };
+        let reflected = if transmission.is_total() { None } else { self.reflected_ray(state, at, interface) };
         let transmitted =
             transmitted.map(|path| self.transmitted_state(state, at.point, &path, interface, part.interior));
         match (reflected, transmitted) {

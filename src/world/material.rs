@@ -29,6 +29,10 @@ pub struct Material {
     /// True for one layer, opaque or not, that reflects in proportion to the incoming light, without subsurface light.
     #[serde(skip)]
     pub is_single_layer: bool,
+    /// True for a pattern that selects one of several materials at each point, without blending two, if each of them is a
+    /// single layer.
+    #[serde(skip)]
+    pub selects_single_layers: bool,
     /// True if a pattern depends on surface coordinates.
     pub uv: bool,
     /// True if two entries of this material in a blend cannot be merged into one: each reflects and transmits by
@@ -51,6 +55,26 @@ impl Choice {
     /// True if all materials are shown at once (`average`).
     pub fn averages(&self) -> bool {
         self.pattern.is_average()
+    }
+
+    /// True if the pattern selects one material at each point, without blending two, and each is a single layer.
+    fn selects_single_layers(&self) -> bool {
+        let selects_one = match &self.parts {
+            Blend::List(_) => true,
+            Blend::Map(map) => map.entries.windows(2).all(|pair| {
+                let [(low, below), (high, above)] = pair else { return true };
+                low == high || Arc::ptr_eq(below, above) && !below.repeats
+            }),
+        };
+        selects_one && !self.averages() && self.parts.iter().all(|part| part.is_single_layer)
+    }
+
+    /// Returns the material at a pattern value if it is the only one there, with the share 1.
+    pub fn only_material(&self, pattern_value: f64) -> Option<&Arc<Material>> {
+        match self.shares(pattern_value)[..] {
+            [(only, 1.0)] => Some(only),
+            _ => None,
+        }
     }
 
     /// Returns the materials at a pattern value, with their shares; two equal neighbours are merged where that is
@@ -147,7 +171,17 @@ pub trait SharedParts {
     fn lower_normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram>;
 }
 
+/// Returns the pattern of materials that replaces the layers; `None` for layers of their own.
+fn chosen_by(layers: &[Layer]) -> Option<&Choice> {
+    layers.iter().find_map(|layer| layer.choice.as_deref())
+}
+
 impl Material {
+    /// Returns the pattern of materials that replaces the material's layers; `None` for layers of their own.
+    pub fn choice(&self) -> Option<&Choice> {
+        chosen_by(&self.layers)
+    }
+
     /// Lowers a texture; shared finishes and normals are lowered once.
     pub fn new(texture: &Texture, shared: &mut dyn SharedParts) -> Self {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
@@ -164,6 +198,7 @@ impl Material {
                 _ => false,
             },
             is_single_layer: matches!(&layers[..], [layer] if layer.is_single_layer()),
+            selects_single_layers: chosen_by(&layers).is_some_and(Choice::selects_single_layers),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&reflects_or_has_grain)
                 || !texture.layers.iter().any(is_opaque)

@@ -1,4 +1,5 @@
-//! Surfaces of a single layer have code of their own: a clear layer above, for which the general code is used, changes nothing.
+//! Surfaces that show a single layer have code of their own: what makes the program use the general code, a clear layer above
+//! or an `average` of one texture, changes nothing.
 
 use crate::drawing::draw;
 use durer::RenderOptions;
@@ -30,6 +31,19 @@ fn scene(texture: &str, interior: &str) -> String {
     )
 }
 
+/// Renders two scenes; fails unless their pictures and the numbers of their rays are equal. Returns the number of rays that
+/// surfaces reflected or transmitted.
+fn assert_equal_pictures(scenes: [&str; 2], what: &str) -> u64 {
+    let [one, two] = scenes.map(|text| draw(text, &RenderOptions::new(48, 36)));
+    let differs = |(a, b): (&[f32; 4], &[f32; 4])| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 2e-6);
+    let all: Vec<_> = one.0.pixels.iter().zip(&two.0.pixels).enumerate().collect();
+    let worst = all.iter().find(|(_, pair)| differs(*pair));
+    assert_eq!(worst, None, "{what}");
+    let rays = |rays: &durer::RayCounts| [rays.camera, rays.shadow, rays.reflected, rays.transmitted];
+    assert_eq!(rays(&one.1), rays(&two.1), "{what}");
+    one.1.reflected + one.1.transmitted
+}
+
 #[test]
 fn a_clear_layer_above_changes_nothing() {
     let clear = "texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 } }";
@@ -41,14 +55,26 @@ fn a_clear_layer_above_changes_nothing() {
                 continue;
             }
             let texts = ["", clear].map(|above| scene(&format!("texture {{ {layer} }} {above}"), interior));
-            let [one, two] = texts.map(|text| draw(&text, &RenderOptions::new(48, 36)));
-            let differs = |(a, b): (&[f32; 4], &[f32; 4])| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 2e-6);
-            let all: Vec<_> = one.0.pixels.iter().zip(&two.0.pixels).enumerate().collect();
-            let worst = all.iter().find(|(_, pair)| differs(*pair));
-            assert_eq!(worst, None, "{layer} {interior}");
-            let rays = |rays: &durer::RayCounts| [rays.camera, rays.shadow, rays.reflected, rays.transmitted];
-            assert_eq!(rays(&one.1), rays(&two.1), "{layer} {interior}");
-            n_continued += one.1.reflected + one.1.transmitted;
+            n_continued += assert_equal_pictures(texts.each_ref().map(String::as_str), &format!("{layer} {interior}"));
+        }
+    }
+    assert!(n_continued > 10_000, "{n_continued}");
+}
+
+#[test]
+fn an_average_of_one_pattern_of_textures_changes_nothing() {
+    let other = "pigment { granite scale 0.3 } normal { bumps 0.4 scale 0.2 } finish { reflection 0.1 }";
+    let mut n_continued = 0;
+    for layer in LAYERS {
+        let selections = [
+            format!("checker texture {{ {layer} }} texture {{ {other} }} scale 0.4 rotate 20"),
+            format!("gradient x texture_map {{ [0.4 {layer}] [0.4 {other}] }} scale <0.7, 0.5, 0.5> rotate 30"),
+        ];
+        for selection in selections {
+            let average = format!("average texture_map {{ [1 {selection}] }}");
+            let texts = [&selection, &average]
+                .map(|texture| scene(&format!("texture {{ {texture} }}"), "interior { ior 1.2 }"));
+            n_continued += assert_equal_pictures(texts.each_ref().map(String::as_str), &selection);
         }
     }
     assert!(n_continued > 10_000, "{n_continued}");

@@ -202,37 +202,45 @@ impl Grid {
     /// Calls `visit` with each hit of a ray on the height field, ascending, until it breaks. The ray is in units of
     /// cells and steps.
     pub fn visit_hits(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> ControlFlow<()>) {
+        let Some((mut line, way)) = self.line_over_field(ray, range, visit) else { return };
+        let (level, square) = self.smallest_square_under(&way, &line);
+        if !way.is_clear_of(self.pyramid[level].range_of_square(square)) {
+            let _ = self.visit_hits_in_square(level, square, way, &mut line);
+        }
+    }
+
+    /// Returns the ray as a line, and the piece of it within the range where it is over the height field and between its
+    /// lowest and highest point; `None` without such a piece.
+    fn line_over_field<'v>(
+        &self,
+        ray: &Ray,
+        range: Range,
+        visit: &'v mut dyn FnMut(f64, Place) -> ControlFlow<()>,
+    ) -> Option<(Line<'v>, RayPiece)> {
         let (o, d) = (ray.origin, ray.dir);
         let mut line =
             Line { o, d, inverse: DVec2::new(1.0 / d.x, 1.0 / d.z), near: range.min, far: range.max, range, visit };
-        let Some(top) = self.pyramid.len().checked_sub(1) else { return };
         let [lo, hi] = self.height_range();
         let below = (lo - 1.0 - o.y) / d.y;
         let above = (hi + 1.0 - o.y) / d.y;
         let (mut near, mut far) = (below.min(above), below.max(above));
         if d.y == 0.0 {
             if o.y < lo - 1.0 || o.y > hi + 1.0 {
-                return;
+                return None;
             }
             (near, far) = (f64::NEG_INFINITY, f64::INFINITY);
         }
         let whole = self.interval_over(&line, [0, 0], [self.across, self.deep]);
         (line.near, line.far) = (near.max(whole.0), far.min(whole.1));
-        if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
-            let t = [line.near.max(range.min), line.far.min(range.max)];
-            if t[0] <= t[1] {
-                let way = RayPiece { t, y: t.map(|t| line.height_at(t)) };
-                let (level, square) = self.smallest_square_under(&way, &line, top);
-                if !way.is_clear_of(self.pyramid[level].range_of_square(square)) {
-                    let _ = self.visit_hits_in_square(level, square, way, &mut line);
-                }
-            }
-        }
+        let is_finite = line.near < line.far && line.near.is_finite() && line.far.is_finite();
+        let t = [line.near.max(range.min), line.far.min(range.max)];
+        let way = RayPiece { t, y: t.map(|t| line.height_at(t)) };
+        (is_finite && t[0] <= t[1] && !self.pyramid.is_empty()).then_some((line, way))
     }
 
     /// Returns the level and the indices of the smallest square of the height field's pyramid that the line is over along the
-    /// whole of `way`; at most the level `top`.
-    fn smallest_square_under(&self, way: &RayPiece, line: &Line, top: usize) -> (usize, [usize; 2]) {
+    /// whole of `way`.
+    fn smallest_square_under(&self, way: &RayPiece, line: &Line) -> (usize, [usize; 2]) {
         // First and last cell along an axis, with the neighbour where rounding may decide.
         let cells = |o: f64, d: f64, last: usize| {
             let [a, b] = way.t.map(|t| o + d * t);
@@ -242,7 +250,7 @@ impl Grid {
         let (i, k) = (cells(line.o.x, line.d.x, self.across - 1), cells(line.o.z, line.d.z, self.deep - 1));
         // The highest bit in which both cells of an axis differ.
         let differing = ((i[0] ^ i[1]) | (k[0] ^ k[1])) / BLOCK;
-        let level = ((usize::BITS - differing.leading_zeros()) as usize).min(top);
+        let level = ((usize::BITS - differing.leading_zeros()) as usize).min(self.pyramid.len() - 1);
         let size = self.pyramid[level].size;
         (level, [i[0] / size, k[0] / size])
     }
@@ -461,5 +469,48 @@ fn try_next_cell(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
         true
     } else {
         false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rng::Stream;
+
+    #[test]
+    fn pyramid_skips_no_hit() {
+        let (width, depth, mut random) = (83, 61, Stream::new(&[7]));
+        let heights = (0..width * depth).map(|i| {
+            let wave = ((i % width) as f64 * 0.2).sin() * ((i / width) as f64 * 0.3).cos();
+            (30_000.0 + 20_000.0 * wave + 4000.0 * random.next_random()) as u16
+        });
+        let grid = Grid::new(width, heights.collect());
+        let (size, mut n_hits) = (DVec3::new(82.0, 65_536.0, 60.0), 0);
+        for i in 0..3000 {
+            let mut any =
+                |spread: f64| DVec3::from_array([(); 3].map(|()| spread * (random.next_random() - 0.5) + 0.5)) * size;
+            // Rays to all sides, steep ones, and short ones that begin at the surface.
+            let (from, mut to) = (any(3.0), any(1.0));
+            if i % 3 == 0 {
+                (to.x, to.z) = (from.x + 0.02 * (to.x - from.x), from.z + 0.02 * (to.z - from.z));
+            }
+            let range = if i % 2 == 0 { Range::FORWARD } else { Range { min: 0.3, max: 0.9 } };
+            let ray = Ray::new(from, to - from);
+            let (mut found, mut expected) = (vec![], vec![]);
+            grid.visit_hits(&ray, range, &mut |t, place| {
+                found.push((t, place));
+                ControlFlow::Continue(())
+            });
+            let mut collect = |t, place| {
+                expected.push((t, place));
+                ControlFlow::Continue(())
+            };
+            if let Some((mut line, _)) = grid.line_over_field(&ray, range, &mut collect) {
+                let _ = grid.visit_hits_in_cells([0, 0], [grid.across, grid.deep], &mut line);
+            }
+            assert_eq!(found, expected, "{ray:?}");
+            n_hits += found.len();
+        }
+        assert!(n_hits > 3000, "{n_hits}");
     }
 }

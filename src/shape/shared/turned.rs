@@ -56,6 +56,10 @@ struct Line {
     length: f64,
     /// Coefficients k, m and q of the squared distance from the axis, k·s² + 2·m·s + q.
     axis_distance2: [f64; 3],
+    /// Parameter of the point nearest to the axis on the ray; without meaning for a ray that is nearly parallel to the axis.
+    nearest_to_axis: f64,
+    /// Inverse of v's component along the axis.
+    inverse_rise: f64,
 }
 
 impl Line {
@@ -66,12 +70,19 @@ impl Line {
         let middle = -from.dot(v);
         let o = from + middle * v;
         let axis_distance2 = [v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z];
-        Self { o, v, middle, length, axis_distance2 }
+        let nearest_to_axis = -axis_distance2[1] / axis_distance2[0];
+        Self { o, v, middle, length, axis_distance2, nearest_to_axis, inverse_rise: 1.0 / v.y }
     }
 
     /// Returns the distance along the ray for a parameter s.
     fn distance(&self, s: f64) -> f64 {
         (s + self.middle) / self.length
+    }
+
+    /// Returns the interval of s that belongs to a range of distances along the ray, enlarged by more than rounding errors.
+    fn interval_of_range(&self, range: Range) -> [f64; 2] {
+        let slack = 1e-12 * self.middle.abs();
+        [range.min * self.length - self.middle - slack, range.max * self.length - self.middle + slack]
     }
 
     /// Returns a lower bound of the squared distance from the axis for s between `first` and `last`.
@@ -81,7 +92,7 @@ impl Line {
         if k <= 1e-12 {
             return 0.0;
         }
-        let nearest = (-m / k).clamp(first, last);
+        let nearest = self.nearest_to_axis.clamp(first, last);
         let distance2 = (k * nearest + 2.0 * m) * nearest + q;
         // The rounding errors of the three terms are far smaller.
         distance2 - 1e-12 * (q + k * nearest * nearest)
@@ -93,7 +104,7 @@ impl Line {
         const SLACK: f64 = 1e-9;
         let slack = |height: f64| SLACK * (height.abs() + self.o.y.abs());
         let (below, above) = (lowest - slack(lowest) - self.o.y, highest + slack(highest) - self.o.y);
-        let (a, b) = (below / self.v.y, above / self.v.y);
+        let (a, b) = (below * self.inverse_rise, above * self.inverse_rise);
         if a < b { [a, b] } else { [b, a] }
     }
 }
@@ -114,8 +125,9 @@ impl Walls {
         let line = Line::new(ray, self.origin_height);
         let is_level = line.v.y.abs() < LEVEL;
         let min_distance2 = line.min_axis_distance2([f64::NEG_INFINITY, f64::INFINITY]);
+        let wanted = line.interval_of_range(range);
         for (part, piece) in self.pieces.iter().enumerate() {
-            if piece.max_radius2 < min_distance2 || !is_level && !piece.may_be_hit(&line, range) {
+            if piece.max_radius2 < min_distance2 || !is_level && !piece.may_be_hit(&line, wanted) {
                 continue;
             }
             let mut visit = |s: f64, at: f64| {
@@ -149,11 +161,11 @@ impl Walls {
 }
 
 impl Piece {
-    /// False only if a ray, which is not level, has no hit on the segment in the range: where the ray is at the segment's
-    /// heights, it is outside of the range or farther from the axis than the segment.
-    fn may_be_hit(&self, line: &Line, range: Range) -> bool {
+    /// False only if a ray, which is not level, has no hit on the segment for s in the interval `wanted`: where the ray is at
+    /// the segment's heights, it is outside of the interval or farther from the axis than the segment.
+    fn may_be_hit(&self, line: &Line, wanted: [f64; 2]) -> bool {
         let [first, last] = line.interval_between_heights(self.height_range);
-        let is_in_range = line.distance(first) <= range.max && line.distance(last) >= range.min;
+        let is_in_range = first <= wanted[1] && last >= wanted[0];
         is_in_range && line.min_axis_distance2([first, last]) <= self.max_radius2
     }
 

@@ -205,3 +205,70 @@ fn intersection_surface_and_solid(children: &[Boxes]) -> (Aabb, Aabb) {
     }
     (surface, before)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rng::Stream;
+    use crate::math::{Range, Ray, Transform};
+    use crate::shape::{Hits, Plane, Quadric, Shape};
+    use crate::world::leaf::Intersections;
+
+    /// Returns a cone between two planes across its axis, all placed by `m`: cut by `clipped_by` and by an intersection.
+    fn rotated_cones(m: &Transform) -> [SolidNode; 2] {
+        let leaf = |shape: Shape| SolidNode::leaf(Leaf::new(shape, m, 0), 0);
+        let plane = |height: f64| leaf(Plane::new(DVec3::Y, height).unwrap().into());
+        let cone = || leaf(Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, 0.0).into());
+        [
+            cone().clipped(vec![plane(2.0), plane(0.5).inverted()]),
+            SolidNode::intersection(vec![cone(), plane(2.0), plane(0.5).inverted()], 0),
+        ]
+    }
+
+    #[test]
+    fn quadrics_between_planes_are_bounded_however_they_are_rotated() {
+        let turn = Transform::rotate(DVec3::new(20.0, 30.0, 40.0));
+        let m =
+            Transform::scale(DVec3::new(3.0, 2.0, 3.0)).unwrap().then(&turn).then(&Transform::translate(DVec3::ONE));
+        let around = m.transform_aabb(&Aabb::from_corners(DVec3::new(-2.0, 0.5, -2.0), DVec3::new(2.0, 2.0, 2.0)));
+        let mut random = Stream::new(&[23]);
+        for solid in rotated_cones(&m) {
+            let Boxes { surface, solid: inside, .. } = solid.boxes();
+            for bounds in [surface, inside] {
+                assert!(around.grown(1e-6).union(bounds) == around.grown(1e-6), "{bounds:?} {around:?}");
+            }
+            let shapes =
+                |nodes: &'_ [SolidNode]| nodes.iter().filter_map(SolidNode::bare_leaf).cloned().collect::<Vec<_>>();
+            let (hit, others) = match &solid.kind {
+                SolidKind::Leaf(cone) => (vec![cone.clone()], shapes(solid.clip())),
+                _ => (shapes(solid.children()), vec![]),
+            };
+            let mut n_hits = 0;
+            for _ in 0..2000 {
+                let mut any = |size: f64| DVec3::from_array([(); 3].map(|()| size * (random.next_random() - 0.5)));
+                let (from, to) = (any(30.0), any(8.0));
+                let ray = Ray::new(from, (to - from).normalize());
+                let mut expected = vec![];
+                for leaf in &hit {
+                    let mut hits = Hits::new();
+                    leaf.hits(&ray, Range::FORWARD, &mut hits);
+                    let is_kept = |t: f64| {
+                        let outer = hit.iter().filter(|other| !std::ptr::eq(*other, leaf)).chain(&others);
+                        outer.into_iter().all(|other| other.inside(ray.at(t)))
+                    };
+                    expected.extend(hits.iter().map(|hit| hit.t).filter(|t| is_kept(*t)));
+                }
+                let mut found = Intersections::new();
+                solid.hits(&ray, Range::FORWARD, &mut found);
+                let mut found: Vec<f64> = found.iter().map(|hit| hit.t()).collect();
+                found.sort_by(f64::total_cmp);
+                expected.sort_by(f64::total_cmp);
+                assert_eq!(found, expected, "{ray:?}");
+                assert_eq!(solid.any(&ray, Range::FORWARD), !expected.is_empty());
+                assert_eq!(solid.closest(&ray, Range::FORWARD).map(|hit| hit.t()), expected.first().copied());
+                n_hits += found.len();
+            }
+            assert!(n_hits > 300, "{n_hits}");
+        }
+    }
+}

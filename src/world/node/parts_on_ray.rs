@@ -361,6 +361,7 @@ mod tests {
                 let expected = expected_distances(&solid, &ray, Range::FORWARD);
                 let mut found = Intersections::new();
                 solid.hits(&ray, Range::FORWARD, &mut found);
+                assert_eq!(solid.any(&ray, Range::FORWARD), !found.is_empty(), "{number}: {ray:?}");
                 let mut found: Vec<f64> = found.iter().map(Intersection::t).collect();
                 found.sort_by(f64::total_cmp);
                 // (Rays through the edge of two bricks have hits that are too close together for the comparison.)
