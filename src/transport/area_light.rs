@@ -136,7 +136,8 @@ impl Tracer<'_> {
             if is_lit && self.is_piece_unoccluded(&grid, all) {
                 return Rgb::ONE;
             }
-            has_shafts = !self.last_occluder_surrounds(light, point);
+            // (An adaptive grid has too few rays for tests of its parts.)
+            has_shafts = area.adaptive.is_none() && !self.last_occluder_surrounds(light, point);
         }
         if is_stored {
             grid.known = Known::Array(vec![Rgb::NAN; count]);
@@ -163,7 +164,7 @@ impl Tracer<'_> {
     fn may_test_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
         let count = area.size[0] as usize * area.size[1] as usize;
         self.context.has_shafts
-            && area.adaptive.is_none()
+            && area.adaptive != Some(0)
             && count >= MIN_LIGHTS
             && light.through.is_none()
             && !light.emitter.is_parallel()

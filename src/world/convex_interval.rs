@@ -25,6 +25,11 @@ pub(super) struct ConvexInterval {
 impl ConvexInterval {
     const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
+    /// Returns the interval of a ray that is nowhere inside a part, or everywhere if the part is inverted.
+    pub(super) fn without_surface(inverse: bool) -> Self {
+        Self { ends: Self::NONE, inverse, slack: 0.0 }
+    }
+
     /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
     pub(super) fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
@@ -89,18 +94,23 @@ pub(super) fn range_possibly_inside(solid: &SolidNode, ray: &Ray, range: Range) 
 pub(super) struct UnknownInterval;
 
 /// Calls `visit` with each hit in the range on an intersection, or on a merge if `merged`, and the shape that is hit, in the
-/// order of the shapes, not of the distances. `visit` returns the distance up to which further hits count. An error,
-/// without any call, if a child is no shape or cannot compute its interval.
+/// order of the shapes, not of the distances. `visit` returns the distance up to which further hits count. `is_skipped`
+/// is true for the index of a child without effect on the ray within the range. An error, without any call, if a child is
+/// no shape or cannot compute its interval.
 pub(super) fn visit_ends_on_surface<'a>(
     children: &'a [SolidNode],
     merged: bool,
     ray: &Ray,
     mut range: Range,
+    is_skipped: impl Fn(usize, Range) -> bool,
     mut visit: impl FnMut(End, &'a Leaf) -> ControlFlow<(), f64>,
 ) -> Result<(), UnknownInterval> {
     // Children that neither have a hit in the range nor remove one are left out.
     let mut parts: SmallVec<[(ConvexInterval, &'a Leaf, &'a SolidNode); 4]> = SmallVec::new();
-    for child in children {
+    for (i, child) in children.iter().enumerate() {
+        if is_skipped(i, range) {
+            continue;
+        }
         let SolidKind::Leaf(leaf) = child.kind() else { return Err(UnknownInterval) };
         let interval = ConvexInterval::inside_shape_if_known(leaf, ray).ok_or(UnknownInterval)?;
         if !merged {

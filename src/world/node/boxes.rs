@@ -161,8 +161,29 @@ impl SolidNode {
         };
         let boxes = Boxes { surface, solid, outside };
         let parts = PartNumbers::new(self.children());
-        let data = CompositeData { clip, bounds, unseen, boxes, parts, convex_parts, child_bvh };
+        let skip_boxes = if child_bvh.is_some() { Box::default() } else { self.skip_boxes(&inner, surface) };
+        let data = CompositeData { clip, bounds, unseen, boxes, parts, convex_parts, skip_boxes, child_bvh };
         self.composite = Some(Box::new(data));
+    }
+
+    /// Returns the box around the surface of each child for which rays are tested before they are intersected with the
+    /// child: a shape that has no inside points outside of the box, or if inverted no outside points, and that is much
+    /// smaller than the whole. Empty if there is no such child.
+    fn skip_boxes(&self, inner: &[Boxes], whole: Aabb) -> Box<[Option<Aabb>]> {
+        // A box without effect on an intersection or merge if a ray misses it.
+        let has_no_effect_outside = |child: &SolidNode| match (&self.kind, child.bare_leaf()) {
+            (SolidKind::Intersection(_), Some(leaf)) => leaf.inverse,
+            (SolidKind::Merge(_) | SolidKind::Union(_), Some(leaf)) => !leaf.inverse,
+            _ => false,
+        };
+        let around = |(child, boxes): (&SolidNode, &Boxes)| {
+            let Boxes { surface, solid, outside } = *boxes;
+            let reach = surface.union(if child.bare_leaf()?.inverse { outside } else { solid });
+            let is_small = reach.intersection(whole).half_area() < MOST_OF_WHOLE * whole.half_area();
+            (has_no_effect_outside(child) && bvh::fits_single_precision(&reach) && is_small).then_some(reach)
+        };
+        let boxes: Box<[_]> = self.children().iter().zip(inner).map(around).collect();
+        if boxes.iter().any(Option::is_some) { boxes } else { Box::default() }
     }
 
     /// Adds clipping and bounding solids to the node, and recomputes the boxes around its surface and its inside.
@@ -173,6 +194,9 @@ impl SolidNode {
         self.set_solids_and_boxes(clip, bounds, Box::default());
     }
 }
+
+/// Share of the area of a solid's box above which the boxes of its children are not tested.
+const MOST_OF_WHOLE: f64 = 0.6;
 
 /// Calls `visit` with shapes each of which contains all hits and inside points of a solid: for a union or merge, only
 /// those of its clips.

@@ -48,12 +48,20 @@ impl SolidNode {
     ) -> Result<(), convex_interval::UnknownInterval> {
         let Some((min, max)) = self.distances_through_box(ray, range) else { return Ok(()) };
         let merged = matches!(self.kind, SolidKind::Merge(_));
-        convex_interval::visit_ends_on_surface(self.children(), merged, ray, Range { min, max }, |end, leaf| {
-            if self.is_inside_all_clips(ray.at(end.t)) {
-                visit(end, leaf)
-            } else {
-                ControlFlow::Continue(f64::INFINITY)
-            }
-        })
+        let is_skipped = |i: usize, range: Range| self.is_child_skipped(i, ray, range);
+        convex_interval::visit_ends_on_surface(
+            self.children(),
+            merged,
+            ray,
+            Range { min, max },
+            is_skipped,
+            |end, leaf| {
+                if self.is_inside_all_clips(ray.at(end.t)) {
+                    visit(end, leaf)
+                } else {
+                    ControlFlow::Continue(f64::INFINITY)
+                }
+            },
+        )
     }
 }

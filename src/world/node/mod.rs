@@ -12,7 +12,7 @@ mod parts_on_ray;
 use super::child_bvh::ChildBvh;
 use super::convex_interval;
 use super::leaf::{Intersection, Intersections, Leaf};
-use crate::math::{DVec3, Range, Ray};
+use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Hit, Hits};
 use boxes::Boxes;
 use parts_on_ray::PartNumbers;
@@ -49,6 +49,10 @@ struct CompositeData {
     /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
+    /// Box around each child that a ray can often be found not to hit before it is intersected with the child's shape; see
+    /// [`SolidNode::skip_boxes`].
+    #[serde(skip)]
+    skip_boxes: Box<[Option<Aabb>]>,
     /// Hierarchy over the children; `None` for few children.
     #[serde(skip)]
     child_bvh: Option<Box<ChildBvh>>,
@@ -494,6 +498,13 @@ impl SolidNode {
 
     fn child_bvh(&self) -> Option<&ChildBvh> {
         self.composite.as_ref().and_then(|composite| composite.child_bvh.as_deref())
+    }
+
+    /// True if child `i` certainly has no surface on the ray within the range, which is tested only where this is often so.
+    #[inline]
+    fn is_child_skipped(&self, i: usize, ray: &Ray, range: Range) -> bool {
+        let boxes = self.composite.as_ref().map_or(&[][..], |composite| &composite.skip_boxes);
+        boxes.get(i).and_then(Option::as_ref).is_some_and(|around| around.slabs(ray, range).is_none())
     }
 
     fn children(&self) -> &[SolidNode] {

@@ -166,7 +166,8 @@ impl<'a> PartsOnRay<'a> {
         let only_inside = matches!(solid.kind, SolidKind::Intersection(_));
         solid.each_child_on_ray(ray, range, |i, child, range| {
             self.range = self.range.intersection(range);
-            self.add_parts(child, solid.first_part_of_child(i), ray, only_inside);
+            let is_skipped = solid.is_child_skipped(i, ray, self.range);
+            self.add_parts(child, solid.first_part_of_child(i), ray, only_inside, is_skipped);
             self.range
         });
         if self.range.is_empty() {
@@ -182,19 +183,22 @@ impl<'a> PartsOnRay<'a> {
     }
 
     /// Adds the parts of `node` that the ray can hit; `first` is the number of the node's first part. With `only_inside`,
-    /// hits count only inside `node`: the range shrinks to the node's interval.
-    fn add_parts(&mut self, node: &'a SolidNode, first: usize, ray: &Ray, only_inside: bool) {
+    /// hits count only inside `node`: the range shrinks to the node's interval. `is_skipped` is true if the node is a shape
+    /// without any surface on the ray.
+    fn add_parts(&mut self, node: &'a SolidNode, first: usize, ray: &Ray, only_inside: bool, is_skipped: bool) {
         if !node.is_single_part() {
             if !node.crosses_all_bounds(ray) {
                 return;
             }
             node.each_child_on_ray(ray, self.range, |i, part, range| {
-                self.add_parts(part, first + node.first_part_of_child(i), ray, false);
+                let is_skipped = node.is_child_skipped(i, ray, range);
+                self.add_parts(part, first + node.first_part_of_child(i), ray, false, is_skipped);
                 range
             });
             return;
         }
         let interval = match &node.kind {
+            SolidKind::Leaf(leaf) if is_skipped => Some(ConvexInterval::without_surface(leaf.inverse)),
             SolidKind::Leaf(leaf) if node.composite.is_none() => ConvexInterval::inside_shape_if_known(leaf, ray),
             _ => None,
         };
