@@ -81,11 +81,11 @@ impl Complex {
     }
 }
 
-impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
-    /// Returns zⁿ times `unit`, which is 1, by repeated squaring.
+impl<const N: usize> Complex<Lanes<N>> {
+    /// Returns zⁿ in each lane, by repeated squaring.
     #[inline]
-    fn power_times_unit(self, mut n: u32, unit: Self) -> Self {
-        let (mut result, mut base) = (unit, self);
+    pub fn power(self, mut n: u32) -> Self {
+        let (mut result, mut base) = (Self::side_by_side([Complex::new(1.0, 0.0); N]), self);
         while n > 0 {
             if n & 1 == 1 {
                 result = result * base;
@@ -94,22 +94,6 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
             n >>= 1;
         }
         result
-    }
-}
-
-impl Complex {
-    /// Returns zⁿ.
-    #[inline]
-    pub fn power(self, n: u32) -> Self {
-        self.power_times_unit(n, Self::new(1.0, 0.0))
-    }
-}
-
-impl<const N: usize> Complex<Lanes<N>> {
-    /// Returns zⁿ in each lane.
-    #[inline]
-    pub fn power(self, n: u32) -> Self {
-        self.power_times_unit(n, Self::new(Lanes([1.0; N]), Lanes([0.0; N])))
     }
 }
 
@@ -185,7 +169,9 @@ mod tests {
     #[test]
     fn powers_by_squares() {
         let z = Complex::new(0.6, -0.7);
-        assert!((z.power(5).x - (z * z * z * z * z).x).abs() < 1e-15);
+        let power = Complex::side_by_side([z, z.square()]).power(5);
+        assert!((power.lane(0).x - (z * z * z * z * z).x).abs() < 1e-15);
+        assert!((power.lane(1).y - (z * z * z * z * z).square().y).abs() < 1e-15);
     }
 
     #[test]

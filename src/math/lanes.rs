@@ -1,7 +1,7 @@
 //! Numbers that are computed side by side.
 
 use std::array::from_fn;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 /// Numbers that are computed side by side, each with the bits that it has alone. The compiler puts several into one
 /// register; and long chains of operations take little more time for several numbers than for one.
@@ -45,14 +45,6 @@ impl<const N: usize> Div for Lanes<N> {
     #[inline]
     fn div(self, other: Self) -> Self {
         Self(from_fn(|i| self.0[i] / other.0[i]))
-    }
-}
-
-impl<const N: usize> Neg for Lanes<N> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self(self.0.map(|x| -x))
     }
 }
 

@@ -295,7 +295,9 @@ impl Bumped {
 
 /// Spaces of the nested patterns that chose a texture, the innermost first.
 pub(super) struct PatternSpaces<'a> {
+    /// Space of the innermost pattern.
     pub space: &'a Space,
+    /// Spaces of the patterns around it.
     pub outer: Option<&'a PatternSpaces<'a>>,
 }
 

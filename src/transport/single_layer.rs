@@ -80,6 +80,7 @@ impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
         Self::new(world, part, layer, (surface.point, smooth), ray.dir, &look, interface)
     }
 
+    /// Creates the point of a layer with this look; `smooth` is the normal without bumps.
     #[inline(always)]
     fn new(
         world: &World,
@@ -113,7 +114,7 @@ fn facing_normal(surface: &Surface, ray: &Ray) -> DVec3 {
 
 impl<'w> SingleLayerPoint<'w, false> {
     /// Evaluates the layer that a pattern of materials selects at the hit `found` of `ray`, if the part's material
-    /// [selects single layers](crate::world::Material::selects_single_layers). `None` if the pattern selects none.
+    /// [selects single layers](crate::world::Material::selects_single_layers). `None` if the pattern blends two.
     fn of_selected_layer(
         world: &'w World,
         part: &'w Part,
@@ -216,8 +217,9 @@ impl<'w> Tracer<'w> {
         self.shade_at_single_layer(state, hit, &at, interface, sum)
     }
 
-    /// As [`Self::shade_single_layer`], for a surface whose material selects single layers. `None`, without any effect, if it
-    /// selects none at the hit.
+    /// As [`Self::shade_single_layer`], for a surface whose material
+    /// [selects single layers](crate::world::Material::selects_single_layers). `None`, without any effect, if the pattern
+    /// blends two at the hit.
     #[inline(never)]
     pub(super) fn shade_selected_layer(
         &mut self,
@@ -232,6 +234,7 @@ impl<'w> Tracer<'w> {
         Some(self.shade_at_single_layer(state, hit, &at, interface, sum))
     }
 
+    /// As [`Self::shade_single_layer`], for an evaluated layer.
     #[inline(always)]
     fn shade_at_single_layer(
         &mut self,

@@ -85,8 +85,8 @@ pub fn push_half_spaces_of(shape: &Shape, m: &Transform, inverse: bool, out: &mu
     );
 }
 
-/// Returns the box, in the object space of `m`, of the half-spaces that are perpendicular to one of its axes; infinite
-/// where there is none. `planes` are in world space.
+/// Returns the box, in the object space of `m`, of those half-spaces whose faces are perpendicular to an axis of that space;
+/// it is infinite in directions without such a half-space. `planes` are in world space.
 pub fn slabs_in_object_space(planes: &[HalfSpace], m: &Transform) -> Aabb {
     let mut slabs = Aabb::INFINITE;
     for HalfSpace { normal, distance } in planes.iter().filter_map(|plane| plane.to_object_space(m)) {

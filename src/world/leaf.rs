@@ -130,9 +130,9 @@ impl Leaf {
         Some(self.place.as_ref().map_or(upright, |m| upright.transformed(m)))
     }
 
-    /// Returns a box, in world space, around the points of the half-spaces `planes` that are inside the shape, or outside if
-    /// it is inverted; `None` if the shape is no quadric or the points are unbounded. Planes that are perpendicular to an
-    /// axis of the quadric count, however they are rotated together.
+    /// Returns a box, in world space, around the points in all half-spaces `planes` that are inside the shape, or outside if
+    /// it is inverted; `None` if the shape is no quadric or the points are unbounded. Half-spaces count whose faces are
+    /// perpendicular to an axis of the shape's own space, however shape and half-spaces are rotated together.
     pub(super) fn quadric_bounds_between(&self, planes: &[HalfSpace]) -> Option<Aabb> {
         let own = self.shape.bounding_quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };

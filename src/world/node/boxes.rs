@@ -166,21 +166,20 @@ impl SolidNode {
         self.composite = Some(Box::new(data));
     }
 
-    /// Returns the box around the surface of each child for which rays are tested before they are intersected with the
-    /// child: a shape that has no inside points outside of the box, or if inverted no outside points, and that is much
-    /// smaller than the whole. Empty if there is no such child.
+    /// Returns boxes around the children that rays are tested against before they are intersected with the child. `None`
+    /// takes the place of a child that is not tested: of any but a shape that matters only to rays through its box, and of
+    /// a shape whose box is nearly as large as that of the whole, `whole`. Empty if no child is tested.
     fn skip_boxes(&self, inner: &[Boxes], whole: Aabb) -> Box<[Option<Aabb>]> {
-        // A box without effect on an intersection or merge if a ray misses it.
-        let has_no_effect_outside = |child: &SolidNode| match (&self.kind, child.bare_leaf()) {
-            (SolidKind::Intersection(_), Some(leaf)) => leaf.inverse,
-            (SolidKind::Merge(_) | SolidKind::Union(_), Some(leaf)) => !leaf.inverse,
-            _ => false,
-        };
         let around = |(child, boxes): (&SolidNode, &Boxes)| {
-            let Boxes { surface, solid, outside } = *boxes;
-            let reach = surface.union(if child.bare_leaf()?.inverse { outside } else { solid });
+            let leaf = child.bare_leaf()?;
+            // Outside of this box the shape contains all points of a ray or none, and that has no effect on the whole.
+            let reach = match &self.kind {
+                SolidKind::Intersection(_) if leaf.inverse => boxes.surface.union(boxes.outside),
+                SolidKind::Union(_) | SolidKind::Merge(_) if !leaf.inverse => boxes.surface.union(boxes.solid),
+                _ => return None,
+            };
             let is_small = reach.intersection(whole).half_area() < MOST_OF_WHOLE * whole.half_area();
-            (has_no_effect_outside(child) && bvh::fits_single_precision(&reach) && is_small).then_some(reach)
+            (bvh::fits_single_precision(&reach) && is_small).then_some(reach)
         };
         let boxes: Box<[_]> = self.children().iter().zip(inner).map(around).collect();
         if boxes.iter().any(Option::is_some) { boxes } else { Box::default() }
@@ -195,7 +194,7 @@ impl SolidNode {
     }
 }
 
-/// Share of the area of a solid's box above which the boxes of its children are not tested.
+/// Share of the area of a solid's box from which on the box of a child is not tested: most rays would intersect it.
 const MOST_OF_WHOLE: f64 = 0.6;
 
 /// Calls `visit` with shapes each of which contains all hits and inside points of a solid: for a union or merge, only

@@ -49,8 +49,7 @@ struct CompositeData {
     /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
-    /// Box around each child that a ray can often be found not to hit before it is intersected with the child's shape; see
-    /// [`SolidNode::skip_boxes`].
+    /// Boxes of children that most rays miss; see [`SolidNode::skip_boxes`].
     #[serde(skip)]
     skip_boxes: Box<[Option<Aabb>]>,
     /// Hierarchy over the children; `None` for few children.
@@ -500,7 +499,8 @@ impl SolidNode {
         self.composite.as_ref().and_then(|composite| composite.child_bvh.as_deref())
     }
 
-    /// True if child `i` certainly has no surface on the ray within the range, which is tested only where this is often so.
+    /// True if the ray misses the box of child `i` within the range, so that the child need not be intersected. False for a
+    /// child whose box is not tested.
     #[inline]
     fn is_child_skipped(&self, i: usize, ray: &Ray, range: Range) -> bool {
         let boxes = self.composite.as_ref().map_or(&[][..], |composite| &composite.skip_boxes);
