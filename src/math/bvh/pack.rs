@@ -101,10 +101,11 @@ pub(super) fn test_half_pack(pack: &Pack, line: &Sheared, half: usize) -> Areas 
 }
 
 /// Test of half a pack of triangles for AVX2, with four numbers at once: the same operations in the same order, and
-/// none are fused.
+/// none are fused. (Without closures: the functions of the standard library that call them are compiled without AVX2, and
+/// cannot always inline them.)
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
-    use super::{Areas, HALF, MANY, Pack, Sheared, from_fn};
+    use super::{Areas, HALF, MANY, Pack, Sheared};
     use glam::Vec4;
     use std::arch::x86_64::*;
 
@@ -114,8 +115,8 @@ pub(super) mod avx2 {
     #[target_feature(enable = "avx2")]
     #[inline]
     fn load(values: &[f32; MANY]) -> __m256 {
-        let [a, b] = [0, HALF].map(|i| Vec4::from_slice(&values[i..]));
-        _mm256_setr_m128(a.into(), b.into())
+        let (first, second) = (Vec4::from_slice(values), Vec4::from_slice(&values[HALF..]));
+        _mm256_setr_m128(first.into(), second.into())
     }
 
     #[target_feature(enable = "avx2")]
@@ -137,21 +138,49 @@ pub(super) mod avx2 {
         _mm256_sub_pd(_mm256_mul_pd(a[0], b[1]), _mm256_mul_pd(a[1], b[0]))
     }
 
+    /// A ray for the test of triangles, with each number in all lanes.
+    struct Line {
+        /// Origin of the ray, with its axes in the order of the shear.
+        from: Corner,
+        /// Shear of x and of y.
+        lean: [__m256d; 2],
+    }
+
+    /// Returns the sheared corners with these numbers in the pack; `values` are the coordinates of its corners.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn sheared_corner(values: &[__m256; 3], numbers: [u8; HALF], line: &Line) -> Corner {
+        let numbers = _mm256_cvtepu8_epi32(_mm_cvtsi32_si128(i32::from_le_bytes(numbers)));
+        let (x, y, z) = (
+            relative_coordinate(values[0], numbers, line.from[0]),
+            relative_coordinate(values[1], numbers, line.from[1]),
+            relative_coordinate(values[2], numbers, line.from[2]),
+        );
+        [_mm256_sub_pd(x, _mm256_mul_pd(line.lean[0], z)), _mm256_sub_pd(y, _mm256_mul_pd(line.lean[1], z)), z]
+    }
+
+    /// Returns one coordinate of four corners, less that of the ray's origin.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn relative_coordinate(values: __m256, numbers: __m256i, from: __m256d) -> __m256d {
+        let at = _mm256_castps256_ps128(_mm256_permutevar8x32_ps(values, numbers));
+        _mm256_sub_pd(_mm256_cvtps_pd(at), from)
+    }
+
     #[target_feature(enable = "avx2")]
     #[inline]
     pub fn test_half_pack(pack: &Pack, line: &Sheared, half: usize) -> Areas {
-        let values = line.axes.map(|axis| load(&pack.corners[axis % 3]));
-        let from = line.from.to_array().map(|x| _mm256_set1_pd(x));
-        let [lean_x, lean_y] = [line.shear.x, line.shear.y].map(|x| _mm256_set1_pd(x));
-        let [a, b, c]: [Corner; 3] = from_fn(|corner| {
-            let numbers = pack.numbers[corner][half % 2];
-            let numbers = _mm256_cvtepu8_epi32(_mm_cvtsi32_si128(i32::from_le_bytes(numbers)));
-            let [x, y, z]: Corner = from_fn(|k| {
-                let at = _mm256_castps256_ps128(_mm256_permutevar8x32_ps(values[k], numbers));
-                _mm256_sub_pd(_mm256_cvtps_pd(at), from[k])
-            });
-            [_mm256_sub_pd(x, _mm256_mul_pd(lean_x, z)), _mm256_sub_pd(y, _mm256_mul_pd(lean_y, z)), z]
-        });
+        let [i, j, k] = line.axes;
+        let values = [load(&pack.corners[i % 3]), load(&pack.corners[j % 3]), load(&pack.corners[k % 3])];
+        let wide = Line {
+            from: [_mm256_set1_pd(line.from.x), _mm256_set1_pd(line.from.y), _mm256_set1_pd(line.from.z)],
+            lean: [_mm256_set1_pd(line.shear.x), _mm256_set1_pd(line.shear.y)],
+        };
+        let (a, b, c) = (
+            sheared_corner(&values, pack.numbers[0][half % 2], &wide),
+            sheared_corner(&values, pack.numbers[1][half % 2], &wide),
+            sheared_corner(&values, pack.numbers[2][half % 2], &wide),
+        );
         let (u, v, w) = (cross_along_ray(&c, &b), cross_along_ray(&a, &c), cross_along_ray(&b, &a));
         let least = _mm256_min_pd(_mm256_min_pd(u, v), w);
         let most = _mm256_max_pd(_mm256_max_pd(u, v), w);
@@ -159,8 +188,8 @@ pub(super) mod avx2 {
         let within = _mm256_or_pd(_mm256_cmp_pd::<_CMP_GE_OQ>(least, zero), _mm256_cmp_pd::<_CMP_LE_OQ>(most, zero));
         Areas {
             mask: _mm256_movemask_pd(within) as u32 & pack.used_mask(half),
-            areas: [u, v, w].map(|v| store(v)),
-            depths: [a[2], b[2], c[2]].map(|v| store(v)),
+            areas: [store(u), store(v), store(w)],
+            depths: [store(a[2]), store(b[2]), store(c[2])],
         }
     }
 }

@@ -84,6 +84,7 @@ impl TriangleHierarchy {
         !Triangle::new(a, b, c).is_degenerate() && bvh::fits_single_precision(&self.face_bounds(face))
     }
 
+    #[inline]
     fn corners_of_face(&self, face: usize) -> [DVec3; 3] {
         self.lists.corners[face].map(|i| self.lists.vertices[i as usize].as_dvec3())
     }
