@@ -1,6 +1,7 @@
 //! CSG, compared with closed forms and with POV-Ray's output.
 
-use durer::math::{DVec2, DVec3, Range, Ray, Transform};
+use durer::math::rng::Stream;
+use durer::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use durer::shape::*;
 use durer::world::{Geometry, Intersections, Leaf, SolidNode};
 
@@ -187,5 +188,53 @@ fn cut_quadrics_have_finite_boxes() {
     let reach = DVec3::new(5f64.sqrt(), 2.0, 5f64.sqrt());
     for node in [whole, clipped] {
         assert!(node.bounds().max.distance(reach) < 1e-6 && node.bounds().min.distance(-reach) < 1e-6);
+    }
+}
+
+/// Returns distances of the hits on each part that are inside all other parts, ascending; of the first part's hits alone if
+/// `of_first` is true.
+fn hits_inside_others(parts: &[SolidNode], of_first: bool, ray: &Ray) -> Vec<f64> {
+    let mut all = vec![];
+    for (i, part) in parts.iter().enumerate().take(if of_first { 1 } else { parts.len() }) {
+        let mut hits = Intersections::new();
+        part.hits(ray, Range::FORWARD, &mut hits);
+        let others = |p: DVec3| parts.iter().enumerate().all(|(j, other)| j == i || other.inside(p));
+        all.extend(hits.iter().map(|hit| hit.t()).filter(|t| others(ray.at(*t))));
+    }
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+#[test]
+fn quadrics_between_planes_are_bounded_however_they_are_rotated() {
+    let turn = Transform::rotate(DVec3::new(20.0, 30.0, 40.0));
+    let m = Transform::scale(DVec3::new(3.0, 2.0, 3.0)).unwrap().then(&turn).then(&Transform::translate(DVec3::ONE));
+    let placed = |shape: Shape| SolidNode::leaf(Leaf::new(shape, &m, 0), 0);
+    let plane = |height: f64| placed(Plane::new(DVec3::Y, height).unwrap().into());
+    // x² + z² ≤ y² with 0.5 ≤ y ≤ 2
+    let cone = || placed(Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, 0.0).into());
+    let cuts = || vec![plane(2.0), plane(0.5).inverted()];
+    let parts: Vec<_> = std::iter::once(cone()).chain(cuts()).collect();
+    let around = m.transform_aabb(&Aabb::from_corners(DVec3::new(-2.0, 0.5, -2.0), DVec3::new(2.0, 2.0, 2.0)));
+    let mut random = Stream::new(&[23]);
+    for (solid, is_clipped) in [(cone().clipped(cuts()), true), (SolidNode::intersection(parts.clone(), 0), false)] {
+        let larger = around.grown(1e-6);
+        assert_eq!(larger.union(solid.bounds()), larger);
+        let mut n_hits = 0;
+        for _ in 0..2000 {
+            let mut any = |size: f64| DVec3::from_array([(); 3].map(|()| size * (random.next_random() - 0.5)));
+            let (from, to) = (any(30.0), any(8.0));
+            let ray = Ray::new(from, (to - from).normalize());
+            let expected = hits_inside_others(&parts, is_clipped, &ray);
+            let mut found = Intersections::new();
+            solid.hits(&ray, Range::FORWARD, &mut found);
+            let mut found: Vec<f64> = found.iter().map(|hit| hit.t()).collect();
+            found.sort_by(f64::total_cmp);
+            assert_eq!(found, expected, "{ray:?}");
+            assert_eq!(solid.any(&ray, Range::FORWARD), !expected.is_empty());
+            assert_eq!(solid.closest(&ray, Range::FORWARD).map(|hit| hit.t()), expected.first().copied());
+            n_hits += found.len();
+        }
+        assert!(n_hits > 300, "{n_hits}");
     }
 }
