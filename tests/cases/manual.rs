@@ -204,25 +204,31 @@ fn chapters(source: &Path) -> Vec<PathBuf> {
 
 /// The examples at the head of the files of shapes and patterns, each with a stage around it.
 fn examples_in_code() -> Vec<(String, Block)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders =
-        ["shape", "shape/text", "pattern", "pattern/warp", "pattern/bitmap", "pattern/tiling", "pattern/pavement"]
-            .map(|f| format!("src/{f}"));
-    let mut out = vec![];
-    for folder in folders {
-        let entries = std::fs::read_dir(root.join(&folder)).into_iter().flatten().flatten();
-        let mut files: Vec<PathBuf> =
-            entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "rs")).collect();
-        files.sort();
-        for file in files {
-            let text = std::fs::read_to_string(&file).unwrap_or_default();
-            let doc: String =
-                text.lines().map_while(|l| l.strip_prefix("//!")).map(|l| format!("{}\n", l.trim_start())).collect();
-            for mut block in blocks(&doc).into_iter().filter(|b| b.is("pov")) {
-                block.text = format!("{STAGE}{}", block.text);
-                let name = file.file_name().unwrap_or_default().to_string_lossy();
-                out.push((format!("{folder}/{name}:{}", block.line), block));
+    fn collect(folder: &Path, out: &mut Vec<PathBuf>) {
+        for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
+            match path.extension() {
+                Some(extension) if extension == "rs" => out.push(path),
+                _ if path.is_dir() => collect(&path, out),
+                _ => {}
             }
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut out = vec![];
+    let files = ["src/shape", "src/pattern"].map(|folder| {
+        let mut files = vec![];
+        collect(&root.join(folder), &mut files);
+        files.sort_by_key(|file| (file.components().count(), file.clone()));
+        files
+    });
+    for file in files.into_iter().flatten() {
+        let text = std::fs::read_to_string(&file).unwrap_or_default();
+        let doc: String =
+            text.lines().map_while(|l| l.strip_prefix("//!")).map(|l| format!("{}\n", l.trim_start())).collect();
+        for mut block in blocks(&doc).into_iter().filter(|b| b.is("pov")) {
+            block.text = format!("{STAGE}{}", block.text);
+            let name = file.strip_prefix(root).unwrap_or(&file).display();
+            out.push((format!("{name}:{}", block.line), block));
         }
     }
     out

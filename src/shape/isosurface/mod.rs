@@ -8,7 +8,7 @@
 //! ```pov
 //! isosurface {
 //!   function { x*x + y*y + z*z - 1 + 0.3*sin(8*x)*sin(8*y)*sin(8*z) } contained_by { sphere { 0, 1.2 } }
-//!   pigment { color rgb <0.9, 0.6, 0.2> }
+//!   max_gradient 4 pigment { color rgb <0.9, 0.6, 0.2> }
 //! }
 //! ```
 
