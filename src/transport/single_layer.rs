@@ -30,8 +30,9 @@ pub(super) struct SingleLayerPoint<'w, const IS_PLAIN: bool> {
     transmittance: Rgb,
 }
 
-/// Pigment and normal of a layer at a point.
-struct Look {
+/// A layer at a point: its pigment and its normal.
+struct Look<'w> {
+    layer: &'w Layer,
     color: Color,
     /// Normal with the layer's bumps, length 1, in world space.
     normal: DVec3,
@@ -41,11 +42,11 @@ struct Look {
     conserves_energy: bool,
 }
 
-impl Look {
+impl<'w> Look<'w> {
     /// Evaluates a layer that has bumps or a pattern. `frame` is the space of the pattern that selected the layer; `None`
     /// if it is the part's only one.
     #[inline(always)]
-    fn at(layer: &Layer, context: &mut TextureContext, part: &Part, frame: Option<&PatternSpaces>) -> Self {
+    fn at(layer: &'w Layer, context: &mut TextureContext, part: &Part, frame: Option<&PatternSpaces>) -> Self {
         let (mut normal, mut weight) = (context.normal, Rgb::ONE);
         if let Some(bumps) = &layer.normal {
             let bumped = Bumped::new(bumps, context, normal, &part.outside, frame);
@@ -53,14 +54,14 @@ impl Look {
         }
         // quirk: conserve_energy_without_pigment
         let conserves_energy = layer.finish.conserve_energy && !layer.is_outside_once_pictures(context, false);
-        Self { color: layer.color(context, false), normal, weight, conserves_energy }
+        Self { layer, color: layer.color(context, false), normal, weight, conserves_energy }
     }
 
     /// Returns the look of a layer with one colour everywhere and without bumps; `None` for others.
     #[inline(always)]
-    fn everywhere(layer: &Layer, normal: DVec3) -> Option<Self> {
+    fn everywhere(layer: &'w Layer, normal: DVec3) -> Option<Self> {
         let color = layer.color_everywhere(false).filter(|_| layer.normal.is_none())?;
-        Some(Self { color, normal, weight: Rgb::ONE, conserves_energy: layer.finish.conserve_energy })
+        Some(Self { layer, color, normal, weight: Rgb::ONE, conserves_energy: layer.finish.conserve_energy })
     }
 }
 
@@ -77,7 +78,7 @@ impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
             let mut evaluation = texture_context(world, &part.outside, found, &surface, smooth, ray);
             Look::at(layer, &mut evaluation.1, part, None)
         });
-        Self::new(world, part, layer, (surface.point, smooth), ray.dir, &look, interface)
+        Self::new(world, part, (surface.point, smooth), ray.dir, &look, interface)
     }
 
     /// Creates the point of a layer with this look; `smooth` is the normal without bumps.
@@ -85,13 +86,12 @@ impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
     fn new(
         world: &World,
         part: &'w Part,
-        layer: &'w Layer,
         (point, smooth): (DVec3, DVec3),
         ray_dir: DVec3,
-        look: &Look,
+        look: &Look<'w>,
         interface: &Interface,
     ) -> Self {
-        let &Look { color, normal, weight, conserves_energy } = look;
+        let &Look { layer, color, normal, weight, conserves_energy } = look;
         let opacity = color.opacity(world.opacity_by_color);
         let shaded =
             ShadedLayer { layer, color, opacity, weight, normal, cos: -ray_dir.dot(normal), is_translucent: false };
@@ -130,7 +130,7 @@ impl<'w> SingleLayerPoint<'w, false> {
         let layer = &choice.only_material(number)?.layers[0];
         let frame = PatternSpaces { space: &choice.space, outer: None };
         let look = Look::everywhere(layer, smooth).unwrap_or_else(|| Look::at(layer, &mut inner, part, Some(&frame)));
-        Some(Self::new(world, part, layer, (surface.point, smooth), ray.dir, &look, interface))
+        Some(Self::new(world, part, (surface.point, smooth), ray.dir, &look, interface))
     }
 }
 

@@ -475,13 +475,14 @@ fn try_next_cell(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::fp;
     use crate::math::rng::Stream;
 
     #[test]
     fn pyramid_skips_no_hit() {
         let (width, depth, mut random) = (83, 61, Stream::new(&[7]));
         let heights = (0..width * depth).map(|i| {
-            let wave = ((i % width) as f64 * 0.2).sin() * ((i / width) as f64 * 0.3).cos();
+            let wave = fp::sin((i % width) as f64 * 0.2) * fp::cos((i / width) as f64 * 0.3);
             (30_000.0 + 20_000.0 * wave + 4000.0 * random.next_random()) as u16
         });
         let grid = Grid::new(width, heights.collect());
