@@ -267,6 +267,8 @@ proptest! {
                 };
                 prop_assert_eq!(list(many), list(few), "{:?}", ray);
                 prop_assert_eq!(many.closest(&ray, range).map(|f| f.t()), few.closest(&ray, range).map(|f| f.t()));
+                prop_assert_eq!(many.any(&ray, range), !list(many).is_empty(), "{:?}", ray);
+                prop_assert_eq!(few.any(&ray, range), !list(few).is_empty(), "{:?}", ray);
                 let p = dice.vector(3.0);
                 prop_assert_eq!(many.inside(p), few.inside(p), "{}", p);
             }

@@ -338,10 +338,12 @@ impl SolidNode {
     fn any_of_union(&self, ray: &Ray, range: Range) -> bool {
         let (mut found, mut hits) = (false, Intersections::new());
         self.each_child_on_ray(ray, range, |_, child, range| {
-            found = match self.clip() {
-                [] => child.any(ray, range),
-                _ => self.first_unclipped_hit(child, ray, range, &mut hits).is_some(),
-            };
+            // (A hierarchy may visit further children after the range has become empty.)
+            found = found
+                || match self.clip() {
+                    [] => child.any(ray, range),
+                    _ => self.first_unclipped_hit(child, ray, range, &mut hits).is_some(),
+                };
             if found { Range::EMPTY } else { range }
         });
         found
