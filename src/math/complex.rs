@@ -3,7 +3,7 @@
 //! Not `num-complex`: its `exp`, `ln`, `sqrt` and `sinh` call the functions of the system, whose last bits differ between machines, and
 //! its methods of these names would hide portable ones.
 
-use super::{Lanes, fp};
+use super::{Lanes, Real, fp};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A complex number, x + iy; with `T` as [`Lanes`], several complex numbers side by side.
@@ -22,7 +22,7 @@ impl<T> Complex<T> {
     }
 }
 
-impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
+impl<T: Real> Complex<T> {
     /// Returns the square z².
     #[inline]
     pub fn square(self) -> Self {
@@ -97,7 +97,7 @@ impl<const N: usize> Complex<Lanes<N>> {
     }
 }
 
-impl<T: Add<Output = T>> Add for Complex<T> {
+impl<T: Real> Add for Complex<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -105,7 +105,7 @@ impl<T: Add<Output = T>> Add for Complex<T> {
     }
 }
 
-impl<T: Sub<Output = T>> Sub for Complex<T> {
+impl<T: Real> Sub for Complex<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -113,9 +113,8 @@ impl<T: Sub<Output = T>> Sub for Complex<T> {
     }
 }
 
-impl<T: Neg<Output = T>> Neg for Complex<T> {
+impl Neg for Complex {
     type Output = Self;
-    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y)
     }
@@ -129,7 +128,7 @@ impl<T: Add<f64, Output = T>> Add<f64> for Complex<T> {
     }
 }
 
-impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Mul for Complex<T> {
+impl<T: Real> Mul for Complex<T> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -153,7 +152,7 @@ impl<const N: usize> Mul<Complex<Lanes<N>>> for f64 {
     }
 }
 
-impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>> Div for Complex<T> {
+impl<T: Real> Div for Complex<T> {
     type Output = Self;
     #[inline]
     fn div(self, by: Self) -> Self {

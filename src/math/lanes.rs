@@ -3,6 +3,13 @@
 use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Sub};
 
+/// A real number, or several side by side.
+pub trait Real: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {}
+
+impl Real for f64 {}
+
+impl<const N: usize> Real for Lanes<N> {}
+
 /// Numbers that are computed side by side, each with the bits that it has alone. The compiler puts several into one
 /// register; and long chains of operations take little more time for several numbers than for one.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -23,7 +23,7 @@ pub use aabb::Aabb;
 pub use complex::Complex;
 pub use crossing::root_between;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
-pub use lanes::Lanes;
+pub use lanes::{Lanes, Real};
 pub use poly::{
     MAX_DEGREE, bernstein_roots, bernstein_roots_in_window, polynomial_roots_between, solve_quadratic,
     solve_quadratic_with_discriminant,

@@ -158,8 +158,8 @@ impl Tracer<'_> {
         self.piece_visibility(&mut grid, all, 0)
     }
 
-    /// True if shaft tests may replace shadow rays from the point: all lights of the grid count, they are many, and nothing
-    /// attenuates a shadow ray without hits. Air attenuates such a ray, but interiors around the point do not, since their
+    /// True if shaft tests may replace shadow rays from the point: the point needs many of them, and nothing attenuates a
+    /// shadow ray without hits. A grid with `adaptive 0` needs only four where it is lit. Air attenuates such a ray, but interiors around the point do not, since their
     /// media end at a surface (quirk: `light_inside_media`).
     fn may_test_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
         let count = area.size[0] as usize * area.size[1] as usize;

@@ -30,15 +30,19 @@ impl ChildBvh {
         Some(Box::new(ChildBvh { bvh, order, rest }))
     }
 
-    /// Calls `visit` with each child whose box the ray intersects, and with those whose boxes are infinite or huge;
-    /// `visit` returns the range where further hits count.
+    /// Calls `visit` with each child whose box the ray intersects, and with those whose boxes are infinite or huge.
+    /// `visit` returns the range in which further hits count; if that is empty, no further child is visited.
     pub fn visit_children_on_ray(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {
             range = visit(child as usize, range);
+            if range.is_empty() {
+                return;
+            }
         }
         self.bvh.traverse(ray, range, |i, max| {
-            ControlFlow::Continue(visit(self.order[i] as usize, Range { max, ..range }).max)
+            let further = visit(self.order[i] as usize, Range { max, ..range });
+            if further.is_empty() { ControlFlow::Break(()) } else { ControlFlow::Continue(further.max) }
         });
     }
 

@@ -125,19 +125,23 @@ impl Leaf {
 
     /// Returns the quadratic form, in world space, that is not positive inside the shape; `None` if no quadric.
     pub(super) fn quadratic(&self) -> Option<Quadratic> {
+        let local = self.local_quadratic()?;
+        Some(self.place.as_ref().map_or(local, |m| local.transformed(m)))
+    }
+
+    /// Returns the quadratic form, in object space, that is not positive inside the solid; `None` if no quadric.
+    fn local_quadratic(&self) -> Option<Quadratic> {
         let own = self.shape.bounding_quadratic()?;
-        let upright = if self.inverse { own.negated() } else { own };
-        Some(self.place.as_ref().map_or(upright, |m| upright.transformed(m)))
+        Some(if self.inverse { own.negated() } else { own })
     }
 
     /// Returns a box, in world space, around the points in all half-spaces `planes` that are inside the shape, or outside if
     /// it is inverted; `None` if the shape is no quadric or the points are unbounded. Half-spaces count whose faces are
     /// perpendicular to an axis of the shape's own space, however shape and half-spaces are rotated together.
     pub(super) fn quadric_bounds_between(&self, planes: &[HalfSpace]) -> Option<Aabb> {
-        let own = self.shape.bounding_quadratic()?;
-        let upright = if self.inverse { own.negated() } else { own };
         let transform = self.transform();
-        let local = upright.nonpositive_bounds_within(halfspace::slabs_in_object_space(planes, &transform));
+        let slabs = halfspace::slabs_in_object_space(planes, &transform);
+        let local = self.local_quadratic()?.nonpositive_bounds_within(slabs);
         (local.min.is_finite() && local.max.is_finite()).then(|| loosened(transform.transform_aabb(&local)))
     }
 

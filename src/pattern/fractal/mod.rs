@@ -288,8 +288,7 @@ impl Julia {
 
 impl Field for Julia {
     fn value(&self, at: &TextureContext) -> f64 {
-        let [value] = self.values_at([complex_point(at)]);
-        value
+        self.values_at([complex_point(at)])[0]
     }
 
     fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {
@@ -376,8 +375,7 @@ impl Magnet {
 
 impl Field for Magnet {
     fn value(&self, at: &TextureContext) -> f64 {
-        let [value] = self.values_at([complex_point(at)]);
-        value
+        self.values_at([complex_point(at)])[0]
     }
 
     fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {

@@ -2,6 +2,7 @@
 //! entirely above or below (Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height
 //! Field Rendering", 2008).
 
+use super::line::{Line, RayPiece, SLACK, middle_crossing_or_infinity};
 use super::normals::Normals;
 use crate::math::{DVec2, DVec3, Range, Ray};
 use std::ops::ControlFlow;
@@ -11,8 +12,6 @@ use std::sync::OnceLock;
 pub const STEPS: f64 = 65536.0;
 /// Side of the smallest squares in a height field's pyramid, in cells.
 const BLOCK: usize = 4;
-/// Distance above or below a height field's heights that exceeds all rounding, in steps.
-const SLACK: f64 = 1e-3;
 /// Distance from the edge of a height field's cell below which rounding may decide on which side a point of a ray is, in
 /// cells.
 const ROUNDING_IN_CELLS: f64 = 1e-3;
@@ -57,68 +56,6 @@ pub struct Place {
     pub k: usize,
     /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1) of a height field's cell.
     pub upper: bool,
-}
-
-/// A ray in units of a height field's cells and steps of height, and the part of it over the field.
-struct Line<'v> {
-    o: DVec3,
-    d: DVec3,
-    inverse: DVec2,
-    /// Distance at which the ray enters the height field's box.
-    near: f64,
-    far: f64,
-    /// Range of distances along the ray in which hits count.
-    range: Range,
-    visit: &'v mut dyn FnMut(f64, Place) -> ControlFlow<()>,
-}
-
-/// Piece of a ray over a height field: its ends, and the heights there.
-#[derive(Clone, Copy)]
-struct RayPiece {
-    t: [f64; 2],
-    y: [f64; 2],
-}
-
-impl RayPiece {
-    /// True if the piece of the ray is entirely above or below these heights.
-    fn is_clear_of(&self, [lo, hi]: [u16; 2]) -> bool {
-        let [y0, y1] = self.y;
-        let (least, most) = if y0 < y1 { (y0, y1) } else { (y1, y0) };
-        least > f64::from(hi) + SLACK || most < f64::from(lo) - SLACK
-    }
-
-    /// Splits the piece of the ray at two distances.
-    fn split_at(&self, first: f64, second: f64, line: &Line) -> [Option<Self>; 3] {
-        let Self { t: [near, far], y: [y_near, y_far] } = *self;
-        let (a, ya) = if first > far { (far, y_far) } else { (first, line.height_at(first)) };
-        let (b, yb) = if second < near { (near, y_near) } else { (second, line.height_at(second)) };
-        let between = match (first < near, second > far) {
-            (false, false) => Self { t: [first, second], y: [ya, yb] },
-            (true, false) => Self { t: [near, second], y: [y_near, yb] },
-            (false, true) => Self { t: [first, far], y: [ya, y_far] },
-            (true, true) => *self,
-        };
-        [
-            (first >= near).then_some(Self { t: [near, a], y: [y_near, ya] }),
-            (first <= far && second >= near).then_some(between),
-            (second <= far).then_some(Self { t: [b, far], y: [yb, y_far] }),
-        ]
-    }
-}
-
-/// Returns the distance at which a ray crosses the middle of a square along one axis. That is `line_crossing`, or
-/// infinite (of either sign) where the ray is parallel to the middle line or the square has no second half.
-fn middle_crossing_or_infinity(o: f64, d: f64, middle: usize, end: usize, line_crossing: f64) -> f64 {
-    let is_whole = middle >= end;
-    if d == 0.0 {
-        let is_first = is_whole || o < middle as f64;
-        return if is_first { f64::INFINITY } else { f64::NEG_INFINITY };
-    }
-    match is_whole {
-        true if d < 0.0 => f64::NEG_INFINITY,
-        true => f64::INFINITY,
-        false => line_crossing,
-    }
 }
 
 impl Grid {
@@ -430,35 +367,6 @@ impl Level {
     }
 }
 
-impl Line<'_> {
-    fn distance_at_x(&self, i: usize) -> f64 {
-        (i as f64 - self.o.x) * self.inverse.x
-    }
-
-    fn distance_at_z(&self, k: usize) -> f64 {
-        (k as f64 - self.o.z) * self.inverse.y
-    }
-
-    fn height_at(&self, t: f64) -> f64 {
-        self.o.y + self.d.y * t
-    }
-
-    /// Returns the height of the ray at distance `t`, and its position within a height field's cell.
-    fn height_and_cell_position(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
-        let p = self.o + self.d * t;
-        (p.y, DVec2::new(p.x - i as f64, p.z - k as f64).clamp(DVec2::ZERO, DVec2::ONE))
-    }
-
-    /// Visits the hit on a height field's triangle if the ray is above it at one end and below at the other.
-    fn visit_crossing(&mut self, place: Place, t: [f64; 2], above_field: [f64; 2]) -> ControlFlow<()> {
-        if (above_field[0] < 0.0) == (above_field[1] < 0.0) {
-            return ControlFlow::Continue(());
-        }
-        let t = t[0] + (t[1] - t[0]) * (above_field[0] / (above_field[0] - above_field[1]));
-        if self.range.contains(t) { (self.visit)(t, place) } else { ControlFlow::Continue(()) }
-    }
-}
-
 /// Moves to the height field's next cell along an axis; returns false at the end.
 fn try_next_cell(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
     if d > 0.0 {
@@ -490,7 +398,7 @@ mod tests {
         for i in 0..3000 {
             let mut any =
                 |spread: f64| DVec3::from_array([(); 3].map(|()| spread * (random.next_random() - 0.5) + 0.5)) * size;
-            // Rays to all sides, steep ones, and short ones that begin at the surface.
+            // Rays to all sides, among them steep ones, whole and in part.
             let (from, mut to) = (any(3.0), any(1.0));
             if i % 3 == 0 {
                 (to.x, to.z) = (from.x + 0.02 * (to.x - from.x), from.z + 0.02 * (to.z - from.z));

@@ -14,6 +14,7 @@
 
 mod grid;
 mod heights;
+mod line;
 mod normals;
 
 use super::{Bounding, Hit, Hits, Kernel, Quirks, Shape, nearest_hit};

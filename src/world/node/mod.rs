@@ -6,14 +6,14 @@
 
 mod bounded;
 mod boxes;
+mod clips;
 mod convex_parts;
 mod parts_on_ray;
 
 use super::child_bvh::ChildBvh;
-use super::convex_interval;
 use super::leaf::{Intersection, Intersections, Leaf};
 use crate::math::{Aabb, DVec3, Range, Ray};
-use crate::shape::{Hit, Hits};
+use crate::shape::Hits;
 use boxes::Boxes;
 use parts_on_ray::PartNumbers;
 use serde::Serialize;
@@ -319,60 +319,24 @@ impl SolidNode {
         }
         match &self.kind {
             SolidKind::Leaf(leaf) if self.clip().is_empty() => leaf.any(ray, range),
-            SolidKind::Leaf(leaf) => self.any_of_clipped_leaf(leaf, ray, range),
+            SolidKind::Leaf(leaf) => self.closest_of_clipped_leaf(leaf, ray, range).is_some(),
             SolidKind::Union(_) => self.any_of_union(ray, range),
             _ if self.has_convex_parts() => self.any_of_convex_parts(ray, range),
             _ => self.any_of_parts(ray, range),
         }
     }
 
-    /// True if a hit on a clipped shape is inside all clipping solids.
-    fn any_of_clipped_leaf(&self, leaf: &Leaf, ray: &Ray, range: Range) -> bool {
-        let Some(range) = self.range_in_box_and_clips(ray, range) else { return false };
-        let mut hits = Hits::new();
-        leaf.limited_hits_for_csg(ray, range, &mut hits);
-        hits.iter().any(|hit| self.is_inside_all_clips(ray.at(hit.t)))
-    }
-
     /// True if a hit on a part of a union is inside all clipping solids of the union.
     fn any_of_union(&self, ray: &Ray, range: Range) -> bool {
         let (mut found, mut hits) = (false, Intersections::new());
         self.each_child_on_ray(ray, range, |_, child, range| {
-            // (A hierarchy may visit further children after the range has become empty.)
-            found = found
-                || match self.clip() {
-                    [] => child.any(ray, range),
-                    _ => self.first_unclipped_hit(child, ray, range, &mut hits).is_some(),
-                };
+            found = match self.clip() {
+                [] => child.any(ray, range),
+                _ => self.first_unclipped_hit(child, ray, range, &mut hits).is_some(),
+            };
             if found { Range::EMPTY } else { range }
         });
         found
-    }
-
-    /// Returns the first hit of a ray on a child that is not clipped away. `buffer` is overwritten.
-    fn first_unclipped_hit<'a>(
-        &self,
-        child: &'a SolidNode,
-        ray: &Ray,
-        range: Range,
-        buffer: &mut Intersections<'a>,
-    ) -> Option<Intersection<'a>> {
-        // Usually the first hit on a shape decides.
-        if let Some(leaf) = child.bare_leaf() {
-            let hit = leaf.closest(ray, range)?;
-            if self.is_inside_all_clips(ray.at(hit.t)) {
-                return Some(Intersection::new(hit, leaf, child.object));
-            }
-        }
-        buffer.clear();
-        child.hits(ray, range, buffer);
-        let mut first: Option<Intersection> = None;
-        for hit in buffer.iter() {
-            if first.is_none_or(|first| hit.t() < first.t()) && self.is_inside_all_clips(ray.at(hit.t())) {
-                first = Some(*hit);
-            }
-        }
-        first
     }
 
     /// Returns the closest hit of a composite solid.
@@ -394,20 +358,6 @@ impl SolidNode {
         }
     }
 
-    /// Returns the closest hit on a clipped shape that is inside all clipping solids.
-    fn closest_of_clipped_leaf(&self, leaf: &Leaf, ray: &Ray, range: Range) -> Option<Hit> {
-        let range = self.range_in_box_and_clips(ray, range)?;
-        let mut hits = Hits::new();
-        leaf.limited_hits_for_csg(ray, range, &mut hits);
-        let mut best: Option<Hit> = None;
-        for hit in &hits {
-            if best.is_none_or(|best| hit.t < best.t) && self.is_inside_all_clips(ray.at(hit.t)) {
-                best = Some(*hit);
-            }
-        }
-        best
-    }
-
     fn closest_of_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<Intersection> = None;
         self.each_child_on_ray(ray, range, |_, child, range| match child.closest(ray, range) {
@@ -420,23 +370,8 @@ impl SolidNode {
         best.map(|found| Intersection { object: self.object, ..found })
     }
 
-    /// Returns the closest hit of a clipped union: the first one that is not clipped away. Of several hits at one point
-    /// the last part wins (quirk: `last_part_wins`).
-    fn closest_of_clipped_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let mut best: Option<(usize, Intersection)> = None;
-        let mut hits = Intersections::new();
-        self.each_child_on_ray(ray, range, |i, child, range| {
-            let Some(found) = self.first_unclipped_hit(child, ray, range, &mut hits) else { return range };
-            let wins = |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
-            if best.is_none_or(wins) {
-                best = Some((i, found));
-            }
-            best.map_or(range, |(_, found)| Range { max: range.max.min(found.t().next_up()), ..range })
-        });
-        best.map(|(_, found)| Intersection { object: self.object, ..found })
-    }
-
-    /// Calls `visit` with each child that the ray can hit. `visit` returns the range in which further hits count.
+    /// Calls `visit` with each child that the ray can hit. `visit` returns the range in which further hits count; if that is
+    /// empty, no further child is visited.
     fn each_child_on_ray<'a>(
         &'a self,
         ray: &Ray,
@@ -480,21 +415,6 @@ impl SolidNode {
     fn distances_through_box(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let composite = self.composite.as_ref()?;
         composite.boxes.surface.slabs(ray, range)
-    }
-
-    fn is_inside_all_clips(&self, p: DVec3) -> bool {
-        self.clip().iter().all(|c| c.inside(p))
-    }
-
-    /// Returns the part of the range in the box and in those clipping solids that can compute their interval; `None` if
-    /// it is empty.
-    fn range_in_box_and_clips(&self, ray: &Ray, range: Range) -> Option<Range> {
-        let (min, max) = self.distances_through_box(ray, range)?;
-        let within = self
-            .clip()
-            .iter()
-            .fold(Range { min, max }, |range, c| convex_interval::range_possibly_inside(c, ray, range));
-        (!within.is_empty()).then_some(within)
     }
 
     fn child_bvh(&self) -> Option<&ChildBvh> {
