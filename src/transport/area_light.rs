@@ -159,8 +159,8 @@ impl Tracer<'_> {
     }
 
     /// True if shaft tests may replace shadow rays from the point: the point needs many of them, and nothing attenuates a
-    /// shadow ray without hits. A grid with `adaptive 0` needs only four where it is lit. Air attenuates such a ray, but interiors around the point do not, since their
-    /// media end at a surface (quirk: `light_inside_media`).
+    /// shadow ray without hits. (A grid with `adaptive 0` needs only four where it is lit.) Air attenuates such a ray, but
+    /// interiors around the point do not, since their media end at a surface (quirk: `light_inside_media`).
     fn may_test_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
         let count = area.size[0] as usize * area.size[1] as usize;
         self.context.has_shafts
