@@ -151,7 +151,7 @@ pub const TABLE: &[Numeric] = &[
     .with_domain(Domain::AboveZero),
     folded_row("max", f64::max, |a, b| Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }, "the largest"),
     folded_row("min", f64::min, |a, b| Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) }, "the smallest"),
-    binary_row("mod", |a, b| a % b, unbounded_result, "what A/B leaves over, with the sign of A")
+    binary_row("mod", fp::remainder, unbounded_result, "what A/B leaves over, with the sign of A")
         .with_domain(Domain::Divides),
     binary_row("pow", fp::pow, Interval::pow, "A to the power of B")
         .with_domain(Domain::NotBothZero("0 to the power of 0 is not defined")),

@@ -16,10 +16,8 @@ use smallvec::SmallVec;
 impl<'a> Interpreter<'a> {
     /// Evaluates an expression of the syntax tree to a value.
     pub(super) fn evaluate(&mut self, e: &'a Expr) -> Result<Value> {
-        match self.evaluator.quick(e) {
-            Some(Quick::Float(x)) => return Ok(Value::Float(x)),
-            Some(Quick::Vector(v)) => return Ok(Value::Vector(v)),
-            None => {}
+        if let Some(value) = self.evaluator.quick::<Quick>(e) {
+            return Ok(value.into());
         }
         match &e.kind {
             ExprKind::Number(x) => Ok(Value::Float(*x)),

@@ -485,3 +485,16 @@ pub struct Macro {
     /// Elements that a call of the macro runs.
     pub body: Box<[Element]>,
 }
+
+impl Macro {
+    /// Returns the value that is the macro's whole body, such as `abs(A - B)` or `(A + B)`, if no text around a call can
+    /// change how it is read: operators before and after `A + B` could, and a name could be passed by reference.
+    pub fn value(&self) -> Option<&Expr> {
+        match &*self.body {
+            [Element { kind: ElementKind::Expr(e), comma: false, .. }] => {
+                matches!(e.kind, ExprKind::Builtin(..) | ExprKind::Paren(_) | ExprKind::Vector(_)).then_some(&**e)
+            }
+            _ => None,
+        }
+    }
+}

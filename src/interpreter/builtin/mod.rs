@@ -11,7 +11,7 @@ pub(super) use text::leading_number_and_length;
 
 use super::Interpreter;
 use super::argument::Argument;
-use super::evaluator::{as_float, as_vector};
+use super::evaluator::{VECTOR_FUNCTIONS, VectorFunction, as_float, as_vector};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::numeric::{self as numeric_table, Domain, Numeric};
 use crate::math::DVec3;
@@ -43,6 +43,8 @@ pub(super) struct Builtin {
 enum Function {
     /// Built-in function whose arguments and result are numbers.
     Numeric(&'static Numeric),
+    /// Built-in function whose arguments are vectors.
+    Vector(&'static VectorFunction),
     /// Built-in function whose arguments are values of any type.
     Plain(&'static Builtin),
     /// Built-in function whose arguments are names, array elements or objects.
@@ -53,11 +55,12 @@ enum Function {
 static FUNCTIONS: LazyLock<WordTable<Function>> = LazyLock::new(|| {
     let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
     let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
-    let plain = vector_and_text_builtins().map(|row| (row.name, Function::Plain(row)));
-    WordTable::new(numeric.chain(plain).chain(special))
+    let vector = VECTOR_FUNCTIONS.iter().map(|row| (row.name, Function::Vector(row)));
+    let plain = plain_builtins().map(|row| (row.name, Function::Plain(row)));
+    WordTable::new(numeric.chain(vector).chain(plain).chain(special))
 });
 
-fn vector_and_text_builtins() -> impl Iterator<Item = &'static Builtin> {
+fn plain_builtins() -> impl Iterator<Item = &'static Builtin> {
     [vector::TABLE, text::TABLE].into_iter().flatten()
 }
 
@@ -151,6 +154,10 @@ impl<'a> Interpreter<'a> {
                 }
                 numeric::compute(row, &arguments)
             }
+            Function::Vector(row) => {
+                check_argument_count(name, &(row.arity()..=row.arity()), found, span)?;
+                row.call(|i| arguments.vector(i)).map(Value::from)
+            }
             Function::Plain(row) => {
                 check_argument_count(name, &row.arity, found, span)?;
                 let value = (row.run)(&arguments)?;
@@ -205,8 +212,9 @@ fn check_argument_count(name: &str, arity: &RangeInclusive<usize>, found: usize,
 
 /// Returns name, arguments and summary of each function that scripts have and `function { }` does not.
 pub(super) fn script_only_usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    vector_and_text_builtins()
-        .map(|f| (f.name, f.usage, f.summary))
+    let vector = VECTOR_FUNCTIONS.iter().map(|f| (f.name, f.usage, f.summary));
+    vector
+        .chain(plain_builtins().map(|f| (f.name, f.usage, f.summary)))
         .chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }
 

@@ -1,6 +1,6 @@
-//! Functions of vectors (manual, "Vector Functions").
+//! Functions of vectors and numbers (manual, "Vector Functions"); those of vectors alone are in the evaluator.
 
-use super::{Builtin, float};
+use super::Builtin;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Turbulence};
 use crate::math::{DVec3, Transform};
@@ -21,47 +21,11 @@ pub(super) const TABLE: &[Builtin] = &[
         },
     },
     Builtin {
-        name: "vcross",
-        usage: "(Vector, Vector)",
-        summary: "the cross product: a vector at right angles to both",
-        arity: 2..=2,
-        run: |a| vector(a.vector(0)?.cross(a.vector(1)?)),
-    },
-    Builtin {
-        name: "vdot",
-        usage: "(Vector, Vector)",
-        summary: "the dot product",
-        arity: 2..=2,
-        run: |a| float(a.vector(0)?.dot(a.vector(1)?)),
-    },
-    Builtin {
-        name: "vlength",
-        usage: "(Vector)",
-        summary: "the length",
-        arity: 1..=1,
-        run: |a| float(a.vector(0)?.length()),
-    },
-    Builtin {
-        name: "vnormalize",
-        usage: "(Vector)",
-        summary: "the vector of length 1 in the same direction",
-        arity: 1..=1,
-        // A vector of length 0 is returned unchanged.
-        run: |a| vector(a.vector(0)?.normalize_or_zero()),
-    },
-    Builtin {
         name: "vturbulence",
         usage: "(Lambda, Omega, Octaves, Point)",
         summary: "the offset that turbulence gives a point",
         arity: 4..=4,
         run: |a| vector(noise::vturbulence(a.vector(3)?, Turbulence::new(a.float(0)?, a.float(1)?, a.float(2)?))),
-    },
-    Builtin {
-        name: "vrotate",
-        usage: "(Vector, Degrees)",
-        summary: "turned about the x axis, then y, then z, as `rotate` does",
-        arity: 2..=2,
-        run: |a| vector(Transform::rotate(a.vector(1)?).transform_vector(a.vector(0)?)),
     },
 ];
 

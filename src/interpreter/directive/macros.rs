@@ -45,6 +45,25 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
+    /// Calls a macro whose body is a value ([`Macro::value`]) and whose arguments are plain, and returns the value of the
+    /// call; `None` for other macros and arguments.
+    pub fn call_value_macro(
+        &mut self,
+        definition: &'a Macro,
+        arguments: &'a [Element],
+        span: Span,
+    ) -> Result<Option<Value>> {
+        let Some(body) = definition.value() else { return Ok(None) };
+        self.check_call_depth(definition.name, span)?;
+        let Some(argument_contents) = self.evaluate_plain_arguments(definition, arguments)? else { return Ok(None) };
+        self.evaluator.enter_call(&definition.parameters, argument_contents);
+        self.stream.enter_value_macro(definition.name, span);
+        let value = self.evaluate(body).map_err(|fault| Box::new(self.stream.with_call_trace(*fault)));
+        self.stream.leave_value_macro();
+        self.evaluator.scopes_mut().leave_scope();
+        value.map(Some)
+    }
+
     /// Calls a macro whose name has been consumed; the next token is the `(`.
     pub fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Contents::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };

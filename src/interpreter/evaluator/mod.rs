@@ -8,8 +8,10 @@ mod constants;
 mod element;
 mod operators;
 mod quick;
+mod random_streams;
 mod scope;
 mod timing;
+mod vector_functions;
 mod whole;
 
 use super::Inputs;
@@ -25,10 +27,12 @@ pub(super) use operators::{
     vector_value,
 };
 pub(super) use quick::Quick;
+use random_streams::RandomStreams;
 use rustc_hash::FxHashMap;
 pub(super) use scope::{Array, Contents, LValue, Scopes};
 use std::sync::Arc;
 pub use timing::Timing;
+pub(super) use vector_functions::{VECTOR_FUNCTIONS, VectorFunction};
 pub(super) use whole::is_callable;
 
 /// Values, scopes and constants of one run of the interpreter.
@@ -38,11 +42,13 @@ pub(super) struct Evaluator<'a> {
     constants: Constants,
     /// Messages of names declared `deprecated` that were not used yet.
     deprecated: FxHashMap<Symbol, &'a str>,
-    /// States of the random streams that `seed()` opened, by their numbers.
-    random: Vec<u32>,
+    random: RandomStreams,
     assets: Assets,
     /// Empty list for the arguments of the next macro call, kept to reuse its allocation.
     spare_arguments: Vec<Option<Contents<'a>>>,
+    /// True if calls of all macros are expanded to tokens, also of those whose body is a value: in bodies of functions,
+    /// which are compiled.
+    expands_all_macros: bool,
 }
 
 impl<'a> Evaluator<'a> {
@@ -59,9 +65,10 @@ impl<'a> Evaluator<'a> {
             scopes,
             constants: Constants::new(inputs),
             deprecated: FxHashMap::default(),
-            random: vec![],
+            random: RandomStreams::default(),
             assets: Assets::default(),
             spare_arguments: vec![],
+            expands_all_macros: false,
         }
     }
 
@@ -164,20 +171,19 @@ impl<'a> Evaluator<'a> {
         self.deprecated.remove(&symbol)
     }
 
-    /// Opens a random stream with the initial state `state`, and returns the stream's number, from 0.
-    pub(super) fn open_random_stream(&mut self, state: u32) -> usize {
-        self.random.push(state);
-        self.random.len() - 1
-    }
-
-    /// Returns the state of a random stream; `None` if no stream has this number.
-    pub(super) fn random_stream(&mut self, number: f64) -> Option<&mut u32> {
-        self.random.get_mut(number as usize).filter(|_| number >= 0.0)
+    #[inline]
+    pub(super) fn random_streams(&mut self) -> &mut RandomStreams {
+        &mut self.random
     }
 
     /// Returns an empty list for the arguments of a macro call.
     pub(super) fn take_empty_argument_list(&mut self) -> Vec<Option<Contents<'a>>> {
         std::mem::take(&mut self.spare_arguments)
+    }
+
+    /// Sets whether calls of all macros are expanded to tokens, also of value macros; returns the previous setting.
+    pub(super) fn set_expands_all_macros(&mut self, expands: bool) -> bool {
+        std::mem::replace(&mut self.expands_all_macros, expands)
     }
 
     /// Opens the scope of a macro call and binds the parameters to the arguments. The argument `None` leaves an

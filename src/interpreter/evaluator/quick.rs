@@ -1,21 +1,44 @@
 //! Fast evaluation of expressions of numbers and vectors, without side effects and messages, which are the most common.
 
 use super::operators::{TOLERANCE, apply_to_floats, apply_to_vectors, component_index, has_zero_component};
+use super::vector_functions::{VECTOR_FUNCTIONS, VectorFunction};
 use super::{Contents, Evaluator};
 use crate::function::numeric::{self, Domain, Kernel, Numeric};
+use crate::math::DVec3;
 use crate::syntax::ast::*;
-use crate::syntax::word::{Word, WordTable};
+use crate::syntax::word::WordTable;
 use crate::value::{Value, VecN};
 use std::sync::LazyLock;
 
-/// Numeric built-in functions by word.
-static NUMERIC: LazyLock<WordTable<&'static Numeric>> =
-    LazyLock::new(|| WordTable::new(numeric::TABLE.iter().map(|row| (row.name, row))));
+/// Built-in function that the fast evaluation can call.
+#[derive(Clone, Copy)]
+enum QuickFunction {
+    Numeric(&'static Numeric),
+    Vector(&'static VectorFunction),
+    /// The function `rand`.
+    Random,
+}
+
+/// Built-in functions that the fast evaluation can call, by word.
+static FUNCTIONS: LazyLock<WordTable<QuickFunction>> = LazyLock::new(|| {
+    let numeric = numeric::TABLE.iter().map(|row| (row.name, QuickFunction::Numeric(row)));
+    let vector = VECTOR_FUNCTIONS.iter().map(|row| (row.name, QuickFunction::Vector(row)));
+    WordTable::new(numeric.chain(vector).chain([("rand", QuickFunction::Random)]))
+});
 
 /// Value of an expression without heap allocation, for fast evaluation.
 pub enum Quick {
     Float(f64),
     Vector(VecN),
+}
+
+impl From<Quick> for Value {
+    fn from(value: Quick) -> Self {
+        match value {
+            Quick::Float(x) => Value::Float(x),
+            Quick::Vector(v) => Value::Vector(v),
+        }
+    }
 }
 
 /// Result type of the fast evaluation: a number alone, which is fastest, or a number or vector.
@@ -100,29 +123,43 @@ impl Evaluator<'_> {
         self.quick(e)
     }
 
-    /// Evaluates an expression of numbers and vectors; `None` if the general evaluation is needed.
+    /// Evaluates an expression of numbers and vectors; `None` if the general evaluation is needed. Random streams are
+    /// then as they were before.
     pub fn quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
+        let value = self.try_quick(e);
+        self.random.end_attempt(value.is_some());
+        value
+    }
+
+    fn try_quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
             ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
-            ExprKind::Paren(inner) => self.quick(inner),
+            ExprKind::Paren(inner) => self.try_quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
                 Some(Contents::Value(value)) if self.deprecated.is_empty() => T::from_value(value),
                 None => T::from_value(self.constants.fixed_value(*symbol)?),
                 _ => None,
             },
-            ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
+            ExprKind::Prefix(prefix, inner) => self.try_quick::<T>(inner)?.prefixed(*prefix),
             ExprKind::Chain(chain) => {
-                let first: T = self.quick(&chain.first)?;
-                chain.rest.iter().try_fold(first, |left, (op, operand)| left.combined(*op, self.quick(operand)?))
+                let first: T = self.try_quick(&chain.first)?;
+                chain.rest.iter().try_fold(first, |left, (op, operand)| left.combined(*op, self.try_quick(operand)?))
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                let (condition, yes, no) = (self.quick_number(condition)?, self.quick(yes)?, self.quick(no)?);
+                let (condition, yes, no) = (self.try_quick::<f64>(condition)?, self.try_quick(yes)?, self.try_quick(no)?);
                 Some(if condition.abs() > TOLERANCE { yes } else { no })
             }
-            ExprKind::Builtin(name, arguments) => self.quick_call(name, arguments).map(T::float),
+            ExprKind::Builtin(name, arguments) => match *FUNCTIONS.get(name)? {
+                QuickFunction::Numeric(row) => self.quick_number_call(row, arguments).map(T::float),
+                QuickFunction::Vector(row) => self.quick_vector_call(row, arguments),
+                QuickFunction::Random => match &**arguments {
+                    [stream] => self.random.try_next(self.try_quick(stream)?).map(T::float),
+                    _ => None,
+                },
+            },
             ExprKind::Index(array, indices) => match &**indices {
                 [index] => self.quick_element(array, index),
                 _ => None,
@@ -139,29 +176,32 @@ impl Evaluator<'_> {
         let mut out = VecN { c: [0.0; 5], len: parts.len() as u8 };
         for (slot, part) in out.c.iter_mut().zip(parts) {
             match &part.kind {
-                ElementKind::Expr(e) => *slot = self.quick_number(e)?,
+                ElementKind::Expr(e) => *slot = self.try_quick::<f64>(e)?,
                 _ => return None,
             }
         }
         T::vector(out)
     }
 
-    /// Evaluates a component of a declared vector, such as `V.x`; `None` for other values, such as dictionaries.
+    /// Evaluates a component of a vector, such as `V.x` or `A[I].x`; `None` for other values, such as dictionaries.
     fn quick_component(&self, base: &Expr, name: &Name) -> Option<f64> {
-        let ExprKind::Name(symbol) = base.kind else { return None };
-        match self.scopes.get(symbol)? {
-            Contents::Value(Value::Vector(v)) if self.deprecated.is_empty() => {
-                component_index(name).filter(|i| *i < usize::from(v.len)).map(|i| v.c[i])
-            }
-            _ => None,
-        }
+        let vector = match base.kind {
+            ExprKind::Name(symbol) => match self.scopes.get(symbol)? {
+                Contents::Value(Value::Vector(v)) if self.deprecated.is_empty() => *v,
+                _ => return None,
+            },
+            _ => match self.try_quick(base)? {
+                Quick::Vector(v) => v,
+                Quick::Float(_) => return None,
+            },
+        };
+        component_index(name).filter(|i| *i < usize::from(vector.len)).map(|i| vector.c[i])
     }
 
-    fn quick_call(&self, function: &Word, arguments: &[Expr]) -> Option<f64> {
-        let row = *NUMERIC.get(function)?;
-        let first = row.clamp_if_arc_function(self.quick_number(arguments.first()?)?);
+    fn quick_number_call(&self, row: &Numeric, arguments: &[Expr]) -> Option<f64> {
+        let first = row.clamp_if_arc_function(self.try_quick::<f64>(arguments.first()?)?);
         let second = match arguments.get(1) {
-            Some(e) => self.quick_number(e)?,
+            Some(e) => self.try_quick::<f64>(e)?,
             None => first,
         };
         let divides = second == 0.0 && row.domain == Domain::Divides;
@@ -172,15 +212,34 @@ impl Evaluator<'_> {
             (Kernel::One(f), [_]) => Some(f(first)),
             (Kernel::Two(f), [_, _]) => Some(f(first, second)),
             (Kernel::Many(f), [_, rest @ ..]) => {
-                rest.iter().try_fold(first, |out, e| self.quick_number(e).map(|next| f(out, next)))
+                rest.iter().try_fold(first, |out, e| self.try_quick::<f64>(e).map(|next| f(out, next)))
             }
+            _ => None,
+        }
+    }
+
+    fn quick_vector_call<T: QuickValue>(&self, row: &VectorFunction, arguments: &[Expr]) -> Option<T> {
+        if arguments.len() != row.arity() {
+            return None;
+        }
+        let argument = |i: usize| self.quick_point(&arguments[i]).ok_or(());
+        match row.call(argument).ok()? {
+            Quick::Float(x) => Some(T::float(x)),
+            Quick::Vector(v) => T::vector(v),
+        }
+    }
+
+    /// Evaluates a vector of three numbers; `None` for other values and if the general evaluation is needed.
+    fn quick_point(&self, e: &Expr) -> Option<DVec3> {
+        match self.try_quick(e)? {
+            Quick::Vector(v) if v.len == 3 => Some(v.xyz()),
             _ => None,
         }
     }
 
     fn quick_element<T: QuickValue>(&self, array: &Expr, index: &Expr) -> Option<T> {
         let ExprKind::Name(symbol) = array.kind else { return None };
-        let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
+        let i = self.try_quick::<f64>(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {
             Contents::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
                 Some(Contents::Value(value)) => T::from_value(value),

@@ -204,7 +204,15 @@ impl<'a> Scopes<'a> {
 
     /// Returns the contents of a name's innermost binding, after following aliases; `None` if the name is not bound or
     /// an aliased element has no value.
+    #[inline]
     pub fn get(&self, symbol: Symbol) -> Option<&Contents<'a>> {
+        match &self.bindings.get(symbol.0 as usize)?.last()?.contents {
+            Contents::Alias(_) => self.aliased_contents(symbol),
+            contents => Some(contents),
+        }
+    }
+
+    fn aliased_contents(&self, symbol: Symbol) -> Option<&Contents<'a>> {
         let (symbol, binding_index, path) = self.symbol_binding_and_path(symbol)?;
         let contents = &self.bindings[symbol.0 as usize][binding_index].contents;
         path.map_or(Some(contents), |path| contents.element(path))
@@ -289,6 +297,13 @@ impl<'a> Scopes<'a> {
         contents: Contents<'a>,
         first_use_warnings: Vec<Diagnostic>,
     ) {
+        // (Loops change names that are no aliases.)
+        if let Some(binding) = self.bindings.get_mut(symbol.0 as usize).and_then(|stack| stack.last_mut())
+            && !matches!(binding.contents, Contents::Alias(_))
+        {
+            (binding.contents, binding.first_use_warnings) = (contents, non_empty(first_use_warnings));
+            return;
+        }
         match self.symbol_binding_and_path(symbol) {
             Some((symbol, binding_index, None)) => self.rebind(symbol, binding_index, contents, first_use_warnings),
             Some((symbol, binding_index, Some(path))) => {

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, ResultType, Spline, SplineKind};
 use crate::interpreter::Interpreter;
-use crate::interpreter::evaluator::as_float;
+use crate::interpreter::evaluator::{Contents, as_float};
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -17,6 +17,11 @@ impl<'a> Interpreter<'a> {
     pub fn call_declared(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Value> {
         if let Some(spline) = self.evaluator.thing_of::<Spline>(name) {
             return self.call_spline(&spline, arguments, span);
+        }
+        if let Some(&Contents::Macro(definition)) = self.evaluator.scopes().get(name)
+            && let Some(value) = self.call_value_macro(definition, arguments, span)?
+        {
+            return Ok(value);
         }
         let Some(function) = self.evaluator.thing_of::<Function>(name) else {
             self.evaluate_name(name, span)?;

@@ -93,8 +93,15 @@ impl<'a> Interpreter<'a> {
         Ok(Some(size))
     }
 
-    /// Reads the contents of a function's braces.
+    /// Reads the contents of a function's braces. The tokens of macros are compiled, also where a macro's body is a value.
     fn read_function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
+        let outer = self.evaluator.set_expands_all_macros(true);
+        let function = self.read_function_body_from_tokens(parameters, span);
+        self.evaluator.set_expands_all_macros(outer);
+        function
+    }
+
+    fn read_function_body_from_tokens(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
         if let Token::Block(name) = self.peek()? {
             return self.read_block_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
         }

@@ -33,7 +33,15 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the next token without consuming it, after running the directives and macro calls before it. Commas and
     /// semicolons are skipped; [`super::stream::TokenStream::has_comma`] reports the commas.
+    #[inline]
     pub(super) fn peek(&mut self) -> Result<Token<'a>> {
+        match self.stream.look_ahead() {
+            Some(token) => Ok(*token),
+            None => self.find_next_token(),
+        }
+    }
+
+    fn find_next_token(&mut self) -> Result<Token<'a>> {
         loop {
             if let Some(token) = self.stream.look_ahead() {
                 return Ok(*token);
@@ -107,7 +115,9 @@ impl<'a> Interpreter<'a> {
                 self.run_next_directive(directive, element.span)?;
             }
             ElementKind::Expr(expr) => match &expr.kind {
-                ExprKind::Call(name, arguments) if self.evaluator.is_macro(*name) => {
+                ExprKind::Call(name, arguments)
+                    if self.evaluator.is_macro(*name) && self.evaluator.must_split_into_tokens(expr) =>
+                {
                     self.stream.skip_element();
                     self.run_and_restore_comma(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
                 }

@@ -147,7 +147,17 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the number of macro calls around the read position.
     pub fn call_depth(&self) -> usize {
-        self.call_depth
+        self.call_depth + self.value_macros.len()
+    }
+
+    /// Adds the call of a macro that is evaluated as a value, which has no frame, to the call trace.
+    pub fn enter_value_macro(&mut self, name: Symbol, span: Span) {
+        self.value_macros.push((name, span));
+    }
+
+    /// Removes the innermost call that [`Self::enter_value_macro`] added.
+    pub fn leave_value_macro(&mut self) {
+        self.value_macros.pop();
     }
 
     /// Returns the paths of the included files around the read position, the innermost last.

@@ -43,6 +43,8 @@ pub(super) struct TokenStream<'a> {
     unclosed: FxHashSet<u32>,
     /// Number of macro frames on the token stream's stack.
     call_depth: usize,
+    /// Names and calls of the value macros that are being evaluated, the innermost last.
+    value_macros: Vec<(Symbol, Span)>,
     /// Paths of the included files that are being read, the innermost last.
     include_paths: Vec<PathBuf>,
     /// Span of the last literal that was looked up in a list.
@@ -75,6 +77,7 @@ impl<'a> TokenStream<'a> {
             open_brackets: vec![],
             unclosed: FxHashSet::default(),
             call_depth: 0,
+            value_macros: vec![],
             include_paths: vec![],
             literal_spans: RefCell::default(),
         }
@@ -349,15 +352,17 @@ impl<'a> TokenStream<'a> {
     /// Returns the macro calls and includes around the read position, innermost first; of a deep recursion the first
     /// six and the last four.
     pub(super) fn call_trace(&self) -> Vec<Label> {
+        let macro_label = |name: Symbol, span: Span| {
+            let text = format!("in macro `{}`, called", self.inputs.names.text(name));
+            Label { span, text }
+        };
         let label = |frame: &StackFrame| match frame.kind() {
-            FrameKind::Macro(name) => {
-                let text = format!("in macro `{}`, called", self.inputs.names.text(name));
-                Some(Label { span: frame.span(), text })
-            }
+            FrameKind::Macro(name) => Some(macro_label(name, frame.span())),
             FrameKind::Include => Some(Label { span: frame.span(), text: "included".into() }),
             _ => None,
         };
-        let all: Vec<Label> = self.frames.iter().rev().filter_map(label).collect();
+        let values = self.value_macros.iter().rev().map(|&(name, span)| macro_label(name, span));
+        let all: Vec<Label> = values.chain(self.frames.iter().rev().filter_map(label)).collect();
         if all.len() <= 12 {
             return all;
         }

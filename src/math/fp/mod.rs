@@ -8,11 +8,13 @@
 
 mod hyperbolic;
 mod pow;
+mod remainder;
 
 use std::f64::consts::TAU;
 
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub use pow::{pow, pow_f32, quick_pow};
+pub use remainder::remainder;
 
 /// Sine of an angle in radians.
 #[inline]
