@@ -149,7 +149,8 @@ impl Evaluator<'_> {
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                let (condition, yes, no) = (self.try_quick::<f64>(condition)?, self.try_quick(yes)?, self.try_quick(no)?);
+                let (condition, yes, no) =
+                    (self.try_quick::<f64>(condition)?, self.try_quick(yes)?, self.try_quick(no)?);
                 Some(if condition.abs() > TOLERANCE { yes } else { no })
             }
             ExprKind::Builtin(name, arguments) => match *FUNCTIONS.get(name)? {
@@ -190,6 +191,8 @@ impl Evaluator<'_> {
                 Contents::Value(Value::Vector(v)) if self.deprecated.is_empty() => *v,
                 _ => return None,
             },
+            // (Long chains of components would need a deep recursion.)
+            ExprKind::Dot(..) => return None,
             _ => match self.try_quick(base)? {
                 Quick::Vector(v) => v,
                 Quick::Float(_) => return None,
@@ -211,8 +214,10 @@ impl Evaluator<'_> {
         match (row.kernel, arguments) {
             (Kernel::One(f), [_]) => Some(f(first)),
             (Kernel::Two(f), [_, _]) => Some(f(first, second)),
-            (Kernel::Many(f), [_, rest @ ..]) => {
-                rest.iter().try_fold(first, |out, e| self.try_quick::<f64>(e).map(|next| f(out, next)))
+            (Kernel::Many(_), [_]) => Some(first),
+            // (Each argument is evaluated once: it may be a random number.)
+            (Kernel::Many(f), [_, _, rest @ ..]) => {
+                rest.iter().try_fold(f(first, second), |out, e| self.try_quick(e).map(|next| f(out, next)))
             }
             _ => None,
         }

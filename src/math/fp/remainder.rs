@@ -75,7 +75,8 @@ mod tests {
 
     #[test]
     fn remainders_of_special_numbers() {
-        let numbers = [0.0, -0.0, 1.0, -1.5, 1e300, 5e-324, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 4503599627370496.0];
+        let numbers =
+            [0.0, -0.0, 1.0, -1.5, 1e300, 5e-324, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 4503599627370496.0];
         for (a, b) in numbers.iter().flat_map(|a| numbers.iter().map(move |b| (*a, *b))) {
             is_exact(a, b).unwrap();
         }
