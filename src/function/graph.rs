@@ -114,6 +114,19 @@ pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same_opera
     }
 }
 
+impl Operation {
+    /// Calls `visit` with the index of each operand.
+    pub(super) fn for_each_operand(&self, mut visit: impl FnMut(Id)) {
+        match self {
+            Operation::Constant(_) | Operation::Parameter(_) => {}
+            Operation::One(_, a) => visit(*a),
+            Operation::Two(_, a, b) | Operation::Binary(_, a, b) => [*a, *b].into_iter().for_each(visit),
+            Operation::Choice(c, a, b) => [*c, *a, *b].into_iter().for_each(visit),
+            Operation::Call(_, _, list) => list.iter().copied().for_each(visit),
+        }
+    }
+}
+
 impl Callee {
     /// Calls the function; returns a component of its result.
     pub fn call_component(&self, component: usize, arguments: &[f64]) -> f64 {
@@ -291,22 +304,32 @@ impl Graph {
     pub fn inline_graph(&mut self, other: &Graph, arguments: &[Id]) -> Id {
         let mut ids: Vec<Id> = Vec::with_capacity(other.nodes.len());
         for node in &other.nodes {
-            let at = |id: &Id| ids[*id as usize];
-            let id = match node {
-                Operation::Parameter(i) => arguments[*i as usize],
-                Operation::Constant(_) => self.add_operation(node.clone()),
-                Operation::One(row, a) => self.add_operation(Operation::One(*row, at(a))),
-                Operation::Two(row, a, b) => self.add_operation(Operation::Two(*row, at(a), at(b))),
-                Operation::Binary(op, a, b) => self.add_operation(Operation::Binary(*op, at(a), at(b))),
-                Operation::Choice(c, a, b) => self.add_operation(Operation::Choice(at(c), at(a), at(b))),
-                Operation::Call(callee, component, list) => {
-                    let list = list.iter().map(at).collect();
-                    self.add_call_component(other.callees[*callee as usize].clone(), *component, list)
-                }
-            };
-            ids.push(id);
+            ids.push(self.copy_operation(other, node, &ids, arguments));
         }
         ids[other.result as usize]
+    }
+
+    /// Copies an operation of another function's graph into this one; `ids` are the indices of the copied operands, and
+    /// `arguments` those of the operands for parameters. Returns the index of the copy.
+    pub(super) fn copy_operation(&mut self, other: &Graph, node: &Operation, ids: &[Id], arguments: &[Id]) -> Id {
+        let at = |id: &Id| ids[*id as usize];
+        match node {
+            Operation::Parameter(i) => arguments[*i as usize],
+            Operation::Constant(_) => self.add_operation(node.clone()),
+            Operation::One(row, a) => self.add_operation(Operation::One(*row, at(a))),
+            Operation::Two(row, a, b) => self.add_operation(Operation::Two(*row, at(a), at(b))),
+            Operation::Binary(op, a, b) => self.add_operation(Operation::Binary(*op, at(a), at(b))),
+            Operation::Choice(c, a, b) => self.add_operation(Operation::Choice(at(c), at(a), at(b))),
+            Operation::Call(callee, component, list) => {
+                let list = list.iter().map(at).collect();
+                self.add_call_component(other.callees[*callee as usize].clone(), *component, list)
+            }
+        }
+    }
+
+    /// Frees the memory that finds equal operations, for a graph that is complete.
+    pub(super) fn forget_known_operations(&mut self) {
+        self.known = FxHashMap::default();
     }
 
     /// Returns bounds of the function's result while the parameters are in these intervals and every operation gives a

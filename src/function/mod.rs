@@ -10,6 +10,7 @@ mod interval;
 mod local_bounds;
 pub mod numeric;
 mod program;
+mod prune;
 mod slope;
 mod spline;
 
@@ -17,6 +18,7 @@ pub use graph::{Callee, Graph, Id, Operation};
 pub use interval::Interval;
 pub use local_bounds::LocalBounds;
 pub use program::Program;
+pub use prune::Replacements;
 pub use slope::Slope;
 pub use spline::{Spline, SplineKind};
 

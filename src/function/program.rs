@@ -65,6 +65,9 @@ const NEAR: usize = 24;
 /// Maximum number of operations of a compiled function, since register indices have 16 bits.
 const MAX_OPERATIONS: usize = 60_000;
 
+/// Approximate cost of calling an internal function or a pattern, in instructions.
+const CALL_COST: usize = 20;
+
 /// Compiler of a function's graph to instructions.
 struct Writer<'g> {
     graph: &'g Graph,
@@ -114,6 +117,23 @@ impl Program {
     /// Graph from which the function was compiled.
     pub fn graph(&self) -> &Graph {
         &self.graph
+    }
+
+    /// Approximate cost of a run, in instructions; branches count as if all were taken.
+    pub fn cost(&self) -> usize {
+        let of_callee = |callee: u32| match &self.graph.callees[callee as usize] {
+            Callee::Function(function) => match &function.body {
+                super::Body::Numeric(program) => program.cost(),
+                super::Body::Sampled(_) => CALL_COST,
+            },
+            _ => CALL_COST,
+        };
+        let of_step = |step: &Step| match step {
+            Step::Call(callee, ..) | Step::CallAll(callee, ..) => of_callee(*callee) + 2,
+            Step::CallPrepared(..) => CALL_COST,
+            _ => 1,
+        };
+        self.steps.iter().map(of_step).sum()
     }
 
     /// Runs the compiled function for these parameters.
@@ -335,17 +355,17 @@ pub(super) fn evaluate_recursively(graph: &Graph, parameters: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::function::Interval;
     use crate::function::internal::find_internal;
     use proptest::prelude::*;
 
     /// Description of one operation: its type, and its operands.
-    type Recipe = Vec<(u8, u32, u32, u32, f64)>;
+    pub type Recipe = Vec<(u8, u32, u32, u32, f64)>;
 
     /// A graph of operations that mostly give finite numbers, in any order.
-    fn graph(recipe: &Recipe) -> Graph {
+    pub fn recipe_graph(recipe: &Recipe) -> Graph {
         let mut graph = Graph::default();
         let mut ids: Vec<Id> = (0..3).map(|i| graph.add_operation(Operation::Parameter(i))).collect();
         let rows = ["abs", "sin", "cos", "exp", "sqrt", "floor", "max", "min", "pow", "tanh"];
@@ -374,14 +394,14 @@ mod tests {
         graph
     }
 
-    fn recipe() -> impl Strategy<Value = Recipe> {
+    pub fn recipe() -> impl Strategy<Value = Recipe> {
         prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), any::<u32>(), -3.0..3.0), 1..30)
     }
 
     proptest! {
         #[test]
         fn bytecode_matches_the_graph(recipe in recipe(), p in prop::array::uniform3(-2.0..2.0)) {
-            let graph = graph(&recipe);
+            let graph = recipe_graph(&recipe);
             let wanted = evaluate_recursively(&graph, &p);
             let found = Program::new(graph, 3).unwrap().run(&p);
             prop_assert!(wanted.to_bits() == found.to_bits() || wanted.is_nan() && found.is_nan());
@@ -394,7 +414,7 @@ mod tests {
             size in prop::array::uniform3(0.0..1.0),
             inner in prop::array::uniform3(0.0..1.0),
         ) {
-            let graph = graph(&recipe);
+            let graph = recipe_graph(&recipe);
             let boxes = [0, 1, 2].map(|i| Interval::new(corner[i], corner[i] + size[i]));
             let p = [0, 1, 2].map(|i: usize| f64::min(corner[i] + inner[i] * size[i], boxes[i].hi));
             let value = evaluate_recursively(&graph, &p);

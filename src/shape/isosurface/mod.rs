@@ -13,6 +13,7 @@
 //! ```
 
 mod cells;
+mod pruned;
 mod search;
 mod walk;
 
@@ -24,7 +25,8 @@ use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
-use cells::Cells;
+use cells::{Cell, Cells};
+use pruned::RayFunction;
 use search::Search;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
@@ -97,8 +99,8 @@ impl Isosurface {
     }
 
     /// Value of the isosurface's function minus the threshold: negative inside. NaN counts as outside.
-    fn value_at(&self, p: DVec3) -> f64 {
-        let value = self.function.value_at(p) - self.threshold;
+    fn above_threshold(&self, value: f64) -> f64 {
+        let value = value - self.threshold;
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
@@ -111,7 +113,8 @@ impl Isosurface {
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
         let mut report_hit = |t: f64, part: u32| range.contains(t + enter) && stops_at(Hit::on_piece(t + enter, part));
-        let value = |t: f64| self.value_at(near.at(t));
+        let function = RayFunction::new(&self.function, &near);
+        let value = |t: f64| self.above_threshold(function.value_at(t));
         let to = leave - enter;
         let origin_t = -enter;
         let begins_outside = enter > BEGINS;
@@ -133,7 +136,8 @@ impl Isosurface {
             Some(walk) => walk.povray_hit(t).is_some_and(|t| report_hit(t, SURFACE)),
             None => false,
         };
-        if self.any_root_in_cells(&near, (origin_t, to), within, first.map(|first| (0.0, first)), &mut report_root) {
+        let first = first.map(|first| (0.0, first));
+        if self.any_root_in_cells(&function, (origin_t, to), within, first, &mut report_root) {
             return;
         }
         let leaves = walk.is_some() || to <= origin_t;
@@ -143,18 +147,19 @@ impl Isosurface {
     }
 
     /// Searches the isosurface's cells between 0 and `to` that overlap the range `within`; returns true if `stops_at`,
-    /// which receives the roots, did. All positions are those on `near`, a ray that starts at the container; `origin_t`
-    /// is that of the original ray's origin. `known_t_and_value` is a point with its value. Pieces start where cells
-    /// do, so that roots hardly depend on the range.
-    fn any_root_in_cells(
-        &self,
-        near: &Ray,
+    /// which receives the roots, did. All positions are those on the function's ray, which starts at the container;
+    /// `origin_t` is that of the original ray's origin. `known_t_and_value` is a point with its value, which does not
+    /// depend on the cell. Pieces start where cells do, so that roots hardly depend on the range.
+    fn any_root_in_cells<'a>(
+        &'a self,
+        function: &RayFunction<'a>,
         (origin_t, to): (f64, f64),
         within: Range,
         mut known_t_and_value: Option<(f64, f64)>,
         stops_at: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
-        let value = &|t: f64| self.value_at(near.at(t));
+        let value = &|t: f64| self.above_threshold(function.value_at(t));
+        let near = function.ray();
         let cells = self.cells();
         let length = near.dir.length();
         let unknown = self.max_gradient * length;
@@ -164,7 +169,8 @@ impl Isosurface {
         let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
         let exact = 1e-10 * cells.cell_diagonal() / length;
         let roughly = exact.max(self.accuracy * walk::ROOTS);
-        let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
+        let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64, cell: Option<&'a Cell>| {
+            function.enter_cell(cell);
             let first = known_t_and_value.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
             known_t_and_value = Some(last);
@@ -173,22 +179,22 @@ impl Isosurface {
         };
         // Consecutive cells without bounds are searched as one piece.
         let mut run: Option<(f64, f64)> = None;
-        let ended = cells.any_piece(near, 0.0, to, &mut |a, b, gradient| {
+        let ended = cells.any_piece(near, 0.0, to, &mut |a, b, cell| {
             if a > within.max && run.is_none() {
                 return true;
             }
             if b <= within.min {
                 return false;
             }
-            let rate = gradient.map(|gradient| gradient.derivative_along(near.dir, length, unknown));
+            let rate = cell.map(|cell| cell.gradient.derivative_along(near.dir, length, unknown));
             if rate.is_some_and(|rate| rate.lo == unknown.lo || rate.hi == unknown.hi) {
                 run = Some((run.map_or(a, |run| run.0), b));
                 return false;
             }
-            run.take().is_some_and(|run| piece(run, unknown, coarse))
-                || rate.is_some_and(|rate| piece((a, b), rate, fine))
+            run.take().is_some_and(|run| piece(run, unknown, coarse, None))
+                || rate.is_some_and(|rate| piece((a, b), rate, fine, cell))
         });
-        ended || run.is_some_and(|run| piece(run, unknown, coarse))
+        ended || run.is_some_and(|run| piece(run, unknown, coarse, None))
     }
 
     /// Returns the maximum gradient found near the isosurface: where the value changes its sign between two points of a

@@ -1,5 +1,6 @@
 use super::*;
 use crate::function::{Body, Callee, Function, Graph, Id, Operation, Program, numeric};
+use crate::math::fp;
 use crate::math::noise::NoiseGenerator;
 use crate::shape::testing::all_hits;
 use crate::syntax::ast::Operator::{self, Add, Mul, Sub};
@@ -36,6 +37,10 @@ fn formula(make: impl Fn(&mut Maker, [Id; 3]) -> Id) -> Formula {
     maker.0.result = make(&mut maker, p);
     let program = Program::new(maker.0, 3).unwrap();
     Formula::new(Function { parameters: ["x", "y", "z"].map(Into::into).into(), body: Body::Numeric(program) })
+}
+
+fn value_at(shape: &Isosurface, p: DVec3) -> f64 {
+    shape.above_threshold(shape.function.value_at(p))
 }
 
 fn ball_isosurface(threshold: f64) -> Isosurface {
@@ -99,11 +104,11 @@ fn steep_functions_have_no_holes() {
         let ray = Ray::new(from, to - from);
         let hits = all_hits(&shape, &ray);
         let first = hits.first().filter(|hit| hit.part == SURFACE);
-        assert!(first.is_some_and(|hit| shape.value_at(ray.at(hit.t)).abs() < 1e-8), "{ray:?} {hits:?}");
+        assert!(first.is_some_and(|hit| value_at(&shape, ray.at(hit.t)).abs() < 1e-8), "{ray:?} {hits:?}");
         // No hit before it.
         let upto = first.map_or(0.0, |hit| hit.t);
         assert!(
-            (0..200).all(|i| shape.value_at(ray.at(upto * 0.999 * f64::from(i) / 200.0)) > 0.0),
+            (0..200).all(|i| value_at(&shape, ray.at(upto * 0.999 * f64::from(i) / 200.0)) > 0.0),
             "{ray:?} {hits:?}"
         );
     }
@@ -132,4 +137,44 @@ fn a_function_may_be_nan_or_jump() {
             }
         }
     }
+}
+
+/// Test: a union of balls on a circle has the hits of the nearest ball, and its cells share few pruned functions.
+#[test]
+fn a_union_by_min_has_the_hits_of_its_balls() {
+    let (radius, n) = (0.3, 8);
+    let center = |k: usize| DVec3::new(0.7 * fp::cos(k as f64), 0.7 * fp::sin(k as f64), 0.05 * k as f64);
+    let union = formula(|m, p| {
+        let balls: Vec<Id> = (0..n)
+            .map(|k| {
+                let moved = [0, 1, 2].map(|i| {
+                    let c = m.0.add_constant(center(k)[i]);
+                    m.add_binary(Sub, p[i], c)
+                });
+                let square = m.add_sum_of_squares(moved);
+                let limit = m.0.add_constant(radius * radius);
+                m.add_binary(Sub, square, limit)
+            })
+            .collect();
+        let min = numeric::find_numeric("min").unwrap();
+        balls.into_iter().reduce(|a, b| m.0.add_operation(Operation::Two(min, a, b))).unwrap()
+    });
+    let shape = Isosurface { accuracy: 1e-10, open: true, ..Isosurface::new(union) };
+    for k in 0..2000 {
+        let at = |m: usize| (k * m % 997) as f64 / 498.5 - 1.0;
+        let ray = Ray::new(DVec3::new(at(13), at(29), -3.0), DVec3::new(0.2 * at(7), 0.2 * at(31), 1.0));
+        let near = |k: usize| {
+            let (from, d) = (ray.origin - center(k), ray.dir);
+            let (b, c) = (from.dot(d) / d.length_squared(), (from.length_squared() - radius * radius));
+            let root = b * b - c / d.length_squared();
+            (root > 1e-9).then(|| -b - root.sqrt())
+        };
+        let wanted = (0..n).filter_map(near).fold(f64::INFINITY, f64::min);
+        let found = shape.closest(&ray, Range::FORWARD).map_or(f64::INFINITY, |hit| hit.t);
+        let outside =
+            [wanted, found].iter().any(|&t| t.is_finite() && !shape.bounds().grown(-1e-6).contains(ray.at(t)));
+        assert!(outside || wanted == found || (wanted - found).abs() < 1e-8, "{ray:?}: {wanted} {found}");
+    }
+    let count = shape.cells().pruned_count();
+    assert!((2..100).contains(&count), "{count}");
 }

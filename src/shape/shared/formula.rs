@@ -1,7 +1,7 @@
 //! Functions of isosurfaces and parametric surfaces, and the container that bounds them.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Interval, ResultType, Slope};
+use crate::function::{Function, Interval, Replacements, ResultType, Slope};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Cuboid, Kernel, Sphere};
 use crate::value::{Next, Readable, Reader, downcast};
@@ -60,7 +60,7 @@ impl Formula {
         }
     }
 
-    /// Wraps a function of three numbers, for tests.
+    /// Wraps a function of three numbers.
     pub fn new(function: Function) -> Self {
         Self(Arc::new(function))
     }
@@ -72,9 +72,35 @@ impl Formula {
 
     /// Bounds of the value and gradient of the formula's function in a box; `scratch` is scratch memory.
     pub fn value_and_slope_in(&self, b: &Aabb, scratch: &mut Vec<Slope>) -> Slope {
-        let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
-        self.0.slope_over_box(&[side(0), side(1), side(2)], scratch)
+        self.0.slope_over_box(&sides(b), scratch)
     }
+
+    /// True if pruning in some box can change the formula's function.
+    pub fn can_be_pruned(&self) -> bool {
+        self.0.can_be_pruned()
+    }
+
+    /// Finds the operations of the formula's function that are decided in a box. `scratch` is the scratch memory of
+    /// [`Self::value_and_slope_in`] after its call with the same box.
+    pub fn find_replacements(&self, b: &Aabb, scratch: &[Slope]) -> Replacements {
+        self.0.find_replacements(&sides(b), scratch)
+    }
+
+    /// Returns the formula without the operations that the replacements make superfluous: in their box it gives the
+    /// same bits.
+    pub fn pruned(&self, replacements: &Replacements) -> Option<Self> {
+        self.0.pruned(replacements).map(Self::new)
+    }
+
+    /// Approximate cost of an evaluation, in instructions of compiled functions.
+    pub fn cost(&self) -> usize {
+        self.0.cost()
+    }
+}
+
+/// Intervals of the coordinates in a box.
+fn sides(b: &Aabb) -> [Interval; 3] {
+    [0, 1, 2].map(|axis| Interval { lo: b.min[axis], hi: b.max[axis] })
 }
 
 /// Container of an isosurface or parametric surface: the solid that bounds it.
