@@ -1,5 +1,6 @@
 use super::*;
 use crate::function::{Body, Callee, Function, Graph, Id, Operation, Program, numeric};
+use crate::math::fp;
 use crate::math::noise::NoiseGenerator;
 use crate::shape::testing::all_hits;
 use crate::syntax::ast::Operator::{self, Add, Mul, Sub};
@@ -138,12 +139,11 @@ fn a_function_may_be_nan_or_jump() {
     }
 }
 
-/// Test: a union of balls on a circle finds the hits of the nearest ball, and its cells share few functions, each of
-/// which is shorter than the whole one.
+/// Test: a union of balls on a circle has the hits of the nearest ball, and its cells share few pruned functions.
 #[test]
 fn a_union_by_min_has_the_hits_of_its_balls() {
     let (radius, n) = (0.3, 8);
-    let center = |k: usize| DVec3::from_array([0.7 * (k as f64).cos(), 0.7 * (k as f64).sin(), 0.05 * k as f64]);
+    let center = |k: usize| DVec3::new(0.7 * fp::cos(k as f64), 0.7 * fp::sin(k as f64), 0.05 * k as f64);
     let union = formula(|m, p| {
         let balls: Vec<Id> = (0..n)
             .map(|k| {
