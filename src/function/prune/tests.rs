@@ -207,21 +207,14 @@ fn decided_conditions_and_absolute_values_disappear() {
     assert_eq!(operation_count(&pruned_in(&whole, &cube([0.0; 3], 0.5))), 6);
 }
 
-<<<<<<< HEAD
-=======
 /// Function that adds the two operands of a minimum to a graph with these parameters.
 type MakeOperands<'a> = &'a dyn Fn(&mut Graph, [Id; 3]) -> (Id, Id);
 
->>>>>>> pruning
 /// Test: where an operand can be NaN or unbounded, or where operands can be equal, nothing is decided.
 #[test]
 fn doubtful_minima_remain() {
     let over = [Interval::new(0.0, 1.0), Interval::new(1.0, 2.0), Interval::new(-0.5, 0.5)];
-<<<<<<< HEAD
-    let remains = |make: &dyn Fn(&mut Graph, [Id; 3]) -> (Id, Id)| {
-=======
     let remains = |make: MakeOperands| {
->>>>>>> pruning
         let mut graph = Graph::default();
         let p = parameters(&mut graph);
         let (a, b) = make(&mut graph, p);
