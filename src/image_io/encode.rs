@@ -1,6 +1,7 @@
 //! Encoders of picture files, row by row from the top. Equal pictures give equal bytes.
 
 use super::dither::{Dither, Ditherer};
+use super::png_piece::{CompressedPieces, Pieces};
 use super::png_writer::PngWriter;
 use super::quantize::{Integers, composite_over_black};
 use super::{Format, Frame};
@@ -81,6 +82,21 @@ pub trait Rows: Send {
     /// # Errors
     /// The reason why the rows can't be stored.
     fn write_rows(&mut self, rows: &[[f32; 4]]) -> Result<()>;
+
+    /// Removes and returns the pieces of the file that are complete and not yet compressed. The caller compresses them on any
+    /// thread, and passes them to [`write_pieces`](Rows::write_pieces). Pieces that are not taken are compressed in later calls
+    /// of `write_rows`, and at the end of the file.
+    fn take_pieces(&mut self) -> Pieces {
+        Pieces::default()
+    }
+
+    /// Writes compressed pieces.
+    ///
+    /// # Errors
+    /// The reason why the pieces can't be stored.
+    fn write_pieces(&mut self, _: CompressedPieces) -> Result<()> {
+        Ok(())
+    }
 }
 
 impl Rows for Frame {
@@ -153,7 +169,7 @@ pub struct Encoder<W: Write + Seek> {
 }
 
 enum Out<W: Write + Seek> {
-    /// PNG encoder, which writes each row immediately.
+    /// PNG encoder, which collects the rows of a few pieces.
     Png(Box<PngWriter<W>>),
     Flat(W),
     /// Encoder of a format of integers, which collects the samples of all rows until the last one.
@@ -226,6 +242,25 @@ impl<W: Write + Seek> Encoder<W> {
             }
         }
         Ok(())
+    }
+
+    /// Removes and returns the pieces of the file that are complete and not yet compressed, as [`Rows::take_pieces`] does.
+    pub fn take_pieces(&mut self) -> Pieces {
+        match &mut self.out {
+            Out::Png(out) => out.take_pieces(),
+            Out::Flat(_) | Out::Integers(..) | Out::Floats(..) => Pieces::default(),
+        }
+    }
+
+    /// Writes compressed pieces, in any order.
+    ///
+    /// # Errors
+    /// If they can't be written.
+    pub fn write_pieces(&mut self, pieces: CompressedPieces) -> Encoded {
+        match &mut self.out {
+            Out::Png(out) => out.write_pieces(pieces),
+            Out::Flat(_) | Out::Integers(..) | Out::Floats(..) => Ok(()),
+        }
     }
 
     /// Ends a picture file: writes what is not yet written.

@@ -11,6 +11,7 @@ mod pick;
 mod pixel_area;
 mod prepare;
 mod radiosity;
+mod region_rows;
 mod sampler;
 mod schedule;
 mod shard;
@@ -25,7 +26,7 @@ pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
 #[doc(hidden)]
 pub use simulation::simulated_busy_share;
 
-use crate::diagnostic::{self, Fault};
+use crate::diagnostic::Fault;
 use crate::image_io::{Frame, Rows};
 use crate::math::cancel::CancelToken;
 use crate::scene::SaveFile;
@@ -33,6 +34,7 @@ use crate::source::Span;
 pub use crate::transport::RayCounts;
 use crate::world::World;
 use prepare::FrameCamera;
+use region_rows::{RegionRows, write_outside_rows};
 use std::io::{self, Write};
 use workers::Workers;
 
@@ -249,32 +251,11 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let method = antialias::Method::new(world, camera.lens.as_ref(), options);
     write_outside_rows(rows, options, region.y)?;
     let conversion = OutputConversion::new(world, options);
-    let mut take = |mut pixels: Vec<pixel_area::Pixel>| {
-        pixels.iter_mut().for_each(|pixel| *pixel = conversion.to_linear_rgba(pixel));
-        if region.width == width {
-            return rows.write_rows(&pixels);
-        }
-        // One row at a time: rows of the picture can be far longer than those of the region.
-        let mut whole = vec![outside_pixel(options); width];
-        pixels.chunks(region.width).try_for_each(|row| {
-            whole[region.x..region.x + region.width].copy_from_slice(row);
-            rows.write_rows(&whole)
-        })
-    };
+    let mut receiver = RegionRows { rows: &mut *rows, conversion, options, region };
     let frame = frame_render::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
-    let counts = frame.run(&mut take)?;
+    let counts = frame.run(&mut receiver)?;
     write_outside_rows(rows, options, height - region.y - region.height)?;
     Ok(counts)
-}
-
-/// Returns the colour of the pixels outside of the rendered region.
-fn outside_pixel(options: &Options) -> [f32; 4] {
-    [0.0, 0.0, 0.0, options.outside_alpha]
-}
-
-fn write_outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diagnostic::Result<()> {
-    let row = vec![outside_pixel(options); if rows > 0 { options.width } else { 0 }];
-    (0..rows).try_for_each(|_| to.write_rows(&row))
 }
 
 /// Returns the maximum memory for the render of a region, in bytes, besides the World and the stored rows.

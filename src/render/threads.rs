@@ -8,6 +8,8 @@ use super::pixel_area::{Pixel, PixelArea};
 use super::schedule::{Place, Schedule, Task, TileGrid};
 use super::{Cancelled, FINAL_PASS, FIRST_PASS, RayCounts, Region, Stopped, Tile};
 use crate::diagnostic;
+use crate::image_io::{CompressedPieces, Pieces};
+use std::collections::VecDeque;
 use std::sync::atomic::AtomicUsize;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -28,8 +30,13 @@ pub(super) fn memory_bytes(area: Region) -> u128 {
     area.width as u128 * rows as u128 * size_of::<Pixel>() as u128
 }
 
-/// Receives the pixels of whole rows of the region.
-pub(super) type RowReceiver<'a> = dyn FnMut(Vec<Pixel>) -> diagnostic::Result<()> + Send + 'a;
+/// Receiver of the pixels of whole rows of the region.
+pub(super) trait RowReceiver: Send {
+    /// Receives the next rows. Returns pieces of the file that are to be compressed and passed to `write_pieces`.
+    fn receive(&mut self, pixels: Vec<Pixel>) -> diagnostic::Result<Pieces>;
+    /// Writes compressed pieces.
+    fn write_pieces(&mut self, pieces: CompressedPieces) -> diagnostic::Result<()>;
+}
 
 /// Pixels of a finished tile, row by row.
 type TilePixels = Arc<Vec<Pixel>>;
@@ -51,6 +58,8 @@ struct SharedRender<'a> {
 struct State<'a> {
     schedule: Schedule<'a, TilePixels>,
     counts: RayCounts,
+    /// Rows of tiles whose pieces of the file are being compressed, from the top.
+    rows_in_compression: VecDeque<usize>,
     /// Reason to stop all threads.
     stopped: Option<Stopped>,
 }
@@ -95,13 +104,15 @@ impl PassTiles {
 
 impl FrameRender<'_> {
     /// Renders every pixel of the region and passes the rows to `receiver`.
-    pub fn run(&self, receiver: &mut RowReceiver) -> Result<RayCounts, Stopped> {
+    pub fn run(&self, receiver: &mut dyn RowReceiver) -> Result<RayCounts, Stopped> {
         let tiles = PassTiles::new(&self.method, self.region);
         let schedule = tiles.schedule(&self.method);
+        let state =
+            State { schedule, counts: RayCounts::default(), rows_in_compression: VecDeque::new(), stopped: None };
         let render = SharedRender {
             frame: self,
             tiles,
-            state: Mutex::new(State { schedule, counts: RayCounts::default(), stopped: None }),
+            state: Mutex::new(state),
             changed: Condvar::new(),
             n_pixels_done: AtomicUsize::new(0),
         };
@@ -114,7 +125,7 @@ impl FrameRender<'_> {
 
 impl<'a> SharedRender<'a> {
     /// Renders tiles and passes on rows until nothing is left for this thread.
-    fn work(&self, receiver: &Mutex<&mut RowReceiver>) {
+    fn work(&self, receiver: &Mutex<&mut dyn RowReceiver>) {
         let mut guard = StopOnPanic { render: self, has_ended: false };
         let mut state = self.lock();
         while state.stopped.is_none() {
@@ -136,17 +147,49 @@ impl<'a> SharedRender<'a> {
                     let tiles = state.schedule.take_row(row);
                     drop(state);
                     let pixels = self.joined_row(row, &tiles);
-                    let result = receiver.lock().unwrap_or_else(PoisonError::into_inner)(pixels);
+                    let pieces = receiver.lock().unwrap_or_else(PoisonError::into_inner).receive(pixels);
                     state = self.lock();
                     state.schedule.finish_passing_on(row);
-                    if let Err(fault) = result {
-                        state.stop(fault.into());
+                    match pieces {
+                        Ok(pieces) if pieces.is_empty() => {}
+                        Ok(pieces) => state = self.compress(state, row, &pieces, receiver),
+                        Err(fault) => state.stop(fault.into()),
                     }
                 }
             }
             self.changed.notify_all();
         }
         guard.has_ended = true;
+    }
+
+    /// Compresses pieces that were complete after this row of tiles, while other threads pass on the next rows. Waits for
+    /// the threads that compress the rows above, so that few pieces are in memory.
+    fn compress<'s>(
+        &'s self,
+        mut state: MutexGuard<'s, State<'a>>,
+        row: usize,
+        pieces: &Pieces,
+        receiver: &Mutex<&mut dyn RowReceiver>,
+    ) -> MutexGuard<'s, State<'a>> {
+        state.rows_in_compression.push_back(row);
+        drop(state);
+        self.changed.notify_all();
+        let compressed = pieces.compress();
+        let mut state = self.lock();
+        while state.stopped.is_none() && state.rows_in_compression.front() != Some(&row) {
+            state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        if state.stopped.is_some() {
+            return state;
+        }
+        drop(state);
+        let result = receiver.lock().unwrap_or_else(PoisonError::into_inner).write_pieces(compressed);
+        let mut state = self.lock();
+        state.rows_in_compression.pop_front();
+        if let Err(fault) = result {
+            state.stop(fault.into());
+        }
+        state
     }
 
     fn lock(&self) -> MutexGuard<'_, State<'a>> {

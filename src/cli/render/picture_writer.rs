@@ -1,7 +1,7 @@
 //! Writes the rows of a picture to its file while the picture is rendered.
 
 use crate::diagnostic::{self, Diagnostic};
-use crate::image_io::{EncodeError, Encoder, Encoding, Format, Rows};
+use crate::image_io::{CompressedPieces, EncodeError, Encoder, Encoding, Format, Pieces, Rows};
 use crate::source::Draft;
 use std::io;
 use std::time::{Duration, Instant};
@@ -23,7 +23,7 @@ pub struct PictureWriter<'d> {
 pub struct Written {
     /// True if all pixels of the written picture are black.
     pub is_black: bool,
-    /// Duration of encoding the picture.
+    /// Duration of encoding the picture, without the compression of pieces that were taken.
     pub time: Duration,
 }
 
@@ -60,6 +60,17 @@ impl Rows for PictureWriter<'_> {
         let start = Instant::now();
         self.written.is_black &= rows.iter().all(|pixel| pixel[..3].iter().all(|c| *c <= BLACK));
         let done = self.encoder.as_mut().map_or(Ok(()), |encoder| encoder.write_rows(rows));
+        self.written.time += start.elapsed();
+        done.map_err(|error| self.fault(error))
+    }
+
+    fn take_pieces(&mut self) -> Pieces {
+        self.encoder.as_mut().map_or_else(Pieces::default, Encoder::take_pieces)
+    }
+
+    fn write_pieces(&mut self, pieces: CompressedPieces) -> diagnostic::Result<()> {
+        let start = Instant::now();
+        let done = self.encoder.as_mut().map_or(Ok(()), |encoder| encoder.write_pieces(pieces));
         self.written.time += start.elapsed();
         done.map_err(|error| self.fault(error))
     }
