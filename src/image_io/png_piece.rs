@@ -69,7 +69,7 @@ pub struct Pieces(pub(super) Vec<Piece>);
 pub struct CompressedPieces(pub(super) Result<Vec<CompressedPiece>, CompressError>);
 
 impl Pieces {
-    /// True if there is nothing to compress.
+    /// True if there are no pieces.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

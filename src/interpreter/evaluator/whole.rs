@@ -3,15 +3,19 @@
 use super::{Contents, Evaluator};
 use crate::syntax::ast::*;
 use crate::value::Value;
+use std::cell::Cell;
 
-/// Maximum depth of value macros that call each other; deeper calls are expanded to tokens.
-const MAX_VALUE_CALLS: usize = 8;
+/// Maximum number of calls of value macros to which the call of one may lead; beyond it, calls are expanded to tokens. (The
+/// test takes as long as it finds calls, and does not count as steps.)
+const MAX_VALUE_CALLS: u32 = 16;
 
 /// Calls of value macros inside each other, the innermost first.
 #[derive(Clone, Copy)]
 struct ValueCalls<'c> {
     definition: &'c Macro,
     outer: Option<&'c ValueCalls<'c>>,
+    /// Number of further calls that may be found in the outermost call.
+    calls_left: &'c Cell<u32>,
 }
 
 impl<'c> ValueCalls<'c> {
@@ -72,10 +76,13 @@ impl Evaluator<'_> {
     /// arguments are plain.
     fn is_value_call(&self, definition: &Macro, arguments: &[Element], outer: Option<&ValueCalls>) -> bool {
         let Some(value) = definition.value().filter(|_| !self.expands_all_macros) else { return false };
-        let calls = ValueCalls { definition, outer };
+        let outermost = Cell::new(MAX_VALUE_CALLS);
+        let calls_left = outer.map_or(&outermost, |outer| outer.calls_left);
+        let Some(left) = calls_left.get().checked_sub(1) else { return false };
+        calls_left.set(left);
+        let calls = ValueCalls { definition, outer, calls_left };
         arguments.len() == definition.parameters.len()
             && arguments.iter().all(|argument| self.is_plain(argument, outer))
-            && calls.innermost_first().count() <= MAX_VALUE_CALLS
             && !self.must_split(value, Some(&calls))
     }
 

@@ -112,6 +112,7 @@ fn growing() -> Vec<Case> {
             .args("render a.scene -o out.png --size 8x6 --max-memory 120M"),
         drawn("radiosity_samples_limited", MANY_SAMPLES, 4, &["E0242", "while photons or radiosity were prepared"])
             .args("render a.scene -o out.png --size 800x600 --max-memory 24M"),
+        case("values_of_macros_branch", branching_value_macros(), 4, &["E0240"]).args(SOON),
         case("debug_floods", "#while (1)\n#debug \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 10000"),
         case("warnings_flood", "#while (1)\n#warning \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 100000"),
         case("warnings_differ", "#declare I = 0;\n#while (1)\n#warning str(I, 0, 0)\n#declare I = I + 1;\n#end\n", 4, &["E0240"])
@@ -197,4 +198,11 @@ fn many() -> Vec<Case> {
             &[],
         ),
     ]
+}
+
+/// Macros whose body is a value, each of which calls the next one many times.
+fn branching_value_macros() -> String {
+    let sum = |k: usize| vec![format!("M{k}()"); 30].join("+");
+    let macros: String = (0..30).map(|k| format!("#macro M{k}() ({}) #end\n", sum(k + 1))).collect();
+    macros + "#macro M30() (1) #end\n#declare A = M0();\n"
 }
