@@ -64,7 +64,7 @@ mod tests {
         fn remainder_of_usual_numbers_is_exact(a in -1e6..1e6, b in -30.0..30.0, n in -1_000_000_i32..1_000_000) {
             is_exact(a, b)?;
             is_exact(a, 1.0)?;
-            is_exact(f64::from(n), (b as f64).round())?;
+            is_exact(f64::from(n), f64::round(b))?;
             // Near multiples of b the rounded quotient is one too large for some.
             for k in [-1_i64, 0, 1] {
                 let near = f64::from_bits(((f64::from(n) * b).to_bits() as i64 + k) as u64);
