@@ -12,8 +12,6 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 /// Maximum number of iterations that are traced back from the escape radius to reduce the radius of the ball around a
 /// Julia fractal; more hardly reduce it.
 const BALL_ROUNDS: usize = 6;
-/// Likewise for cubes, whose radius converges faster, and whose roots take longer.
-const BALL_ROUNDS_OF_CUBES: usize = 3;
 
 /// Four-dimensional number of a Julia fractal: x + iy + jz + kw.
 pub type Four = [f64; 4];
@@ -168,7 +166,7 @@ impl Rule {
         let size = length_squared(c).sqrt();
         match self {
             Rule::Square => steps.fold(escape_radius, |r, _| r.min((r + size).sqrt())),
-            Rule::Cube => steps.take(BALL_ROUNDS_OF_CUBES).fold(escape_radius, |r, _| r.min(fp::cbrt(r + size))),
+            Rule::Cube => steps.fold(escape_radius, |r, _| r.min(fp::cbrt(r + size))),
             Rule::Pair(Function::Sqr) => {
                 let [a, b] = to_complex_pair(c).map(|c| {
                     let size = c.length_squared().sqrt();
