@@ -488,7 +488,8 @@ pub struct Macro {
 
 impl Macro {
     /// Returns the value that is the macro's whole body, such as `abs(A - B)` or `(A + B)`, if no text around a call can
-    /// change how it is read: operators before and after `A + B` could, and a name could be passed by reference.
+    /// change how it is read: operators before and after `A + B` could, and a name could be passed by reference. A macro
+    /// with such a body is called a value macro.
     pub fn value(&self) -> Option<&Expr> {
         match &*self.body {
             [Element { kind: ElementKind::Expr(e), comma: false, .. }] => {

@@ -34,7 +34,8 @@ struct Times {
     build: f64,
     /// Time of tracing the world into pixels, in seconds.
     trace: f64,
-    /// Time of encoding the pixels into a file, in seconds.
+    /// Time of encoding the pixels into a file, in seconds. The pieces of a PNG file that the threads of the render compress
+    /// belong to `trace`.
     encode: f64,
     total: f64,
 }

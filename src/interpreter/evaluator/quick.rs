@@ -131,6 +131,7 @@ impl Evaluator<'_> {
         value
     }
 
+    /// Evaluates an expression like [`Self::quick`], which restores the random streams if the result is `None`.
     fn try_quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),

@@ -297,7 +297,7 @@ impl<'a> Scopes<'a> {
         contents: Contents<'a>,
         first_use_warnings: Vec<Diagnostic>,
     ) {
-        // (Loops change names that are no aliases.)
+        // (Mostly the innermost binding is no alias.)
         if let Some(binding) = self.bindings.get_mut(symbol.0 as usize).and_then(|stack| stack.last_mut())
             && !matches!(binding.contents, Contents::Alias(_))
         {

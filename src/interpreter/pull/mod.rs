@@ -115,18 +115,16 @@ impl<'a> Interpreter<'a> {
                 self.run_next_directive(directive, element.span)?;
             }
             ElementKind::Expr(expr) => match &expr.kind {
-                ExprKind::Call(name, arguments)
-                    if self.evaluator.is_macro(*name) && self.evaluator.must_split_into_tokens(expr) =>
-                {
-                    self.stream.skip_element();
-                    self.run_and_restore_comma(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
-                }
                 ExprKind::Name(name) if self.evaluator.is_macro(*name) => {
                     self.stream.skip_element();
                     self.run_and_restore_comma(|me| me.call_macro_by_tokens(*name, element.span))?;
                 }
-                _ if expr.calls && self.evaluator.must_split_into_tokens(expr) => self.stream.split_next_element(),
-                _ => return Ok(false),
+                _ if !self.evaluator.must_split_into_tokens(expr) => return Ok(false),
+                ExprKind::Call(name, arguments) if self.evaluator.is_macro(*name) => {
+                    self.stream.skip_element();
+                    self.run_and_restore_comma(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
+                }
+                _ => self.stream.split_next_element(),
             },
             _ => return Ok(false),
         }

@@ -5,7 +5,7 @@ const LARGE_QUOTIENT: f64 = (1_u64 << 52) as f64;
 /// Range of operands whose halves of digits can be multiplied without overflow and without loss.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 
-/// Remainder of a / b with the sign of `a`, which is exact: the operator `%`, in a twentieth of its time for usual operands.
+/// Remainder of a / b with the sign of `a`, which is exact: the operator `%`, in a tenth of its instructions for usual operands.
 ///
 /// The quotient q is rounded, so it may be one too large. a - q·b is a number without rounding error, and is computed as the
 /// sum of two differences: to the rounded product, which is exact by Sterbenz's lemma, and to the product's rounding error

@@ -30,7 +30,8 @@ struct Surface {
     /// Function of the isosurface, whose value on the surface is the threshold.
     formula: Formula,
     threshold: f64,
-    pruned: PrunedFormulas,
+    /// Pruned functions of the cells; `None` if the function has no operations that a cell can decide.
+    pruned: Option<PrunedFormulas>,
 }
 
 /// Grid of an isosurface's cells.
@@ -115,7 +116,8 @@ impl Cells {
         let mut side = fp::pow(size.x * size.y * size.z / COUNT, 1.0 / 3.0);
         side = side.max(size.max_element() / MOST);
         let count = [0, 1, 2].map(|axis| (size[axis] / side).round().clamp(1.0, MOST) as usize);
-        let surface = Surface { formula: formula.clone(), threshold, pruned: PrunedFormulas::default() };
+        let pruned = formula.can_be_pruned().then(PrunedFormulas::default);
+        let surface = Surface { formula: formula.clone(), threshold, pruned };
         let mut grid = Grid::empty_grid(bounds, count);
         grid.collect_surface_cells(&surface, count.map(|n| [0, n]), &mut vec![]);
         Self { surface, grid }
@@ -187,7 +189,7 @@ impl Cells {
     /// Number of different pruned functions of the isosurface's cells.
     #[cfg(test)]
     pub fn pruned_count(&self) -> usize {
-        self.surface.pruned.len()
+        self.surface.pruned.as_ref().map_or(0, PrunedFormulas::len)
     }
 
     /// Length of the diagonal of an isosurface's cell.
@@ -225,7 +227,7 @@ impl Grid {
         let (axis, length) =
             (0..3).map(|axis| (axis, block[axis][1] - block[axis][0])).max_by_key(|x| x.1).unwrap_or((0, 1));
         if length == 1 {
-            let pruned = surface.pruned.prune(&surface.formula, b, scratch);
+            let pruned = surface.pruned.as_ref().and_then(|all| all.prune(&surface.formula, b, scratch));
             self.cells.push(Cell { gradient: Gradient::new(&slope), pruned, halves: OnceLock::new() });
             let place = self.cell_index(block.map(|b| b[0]));
             self.places[place] = self.cells.len() as u16;

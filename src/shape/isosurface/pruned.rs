@@ -31,9 +31,6 @@ impl PrunedFormulas {
     /// Returns the function without the operations that are decided in a box; `None` if that saves nothing. `scratch`
     /// has the slopes of the function's operations in the same box.
     pub fn prune(&self, whole: &Formula, bounds: Aabb, scratch: &[Slope]) -> Option<Box<PrunedFormula>> {
-        if !whole.can_be_pruned() {
-            return None;
-        }
         let replacements = whole.find_replacements(&bounds, scratch);
         if replacements.is_empty() {
             return None;
