@@ -31,18 +31,6 @@ impl<'a> Interpreter<'a> {
         if let Some(word) = target.keyword {
             return self.skip_value_and_refuse_name(word, target.span);
         }
-        if declare.others.is_empty()
-            && target.indices.is_empty()
-            && declare.deprecated.is_none()
-            && let Some(x) = self.take_number_and_semicolon()
-        {
-            let contents = Contents::Value(Value::Float(x));
-            match declare.local {
-                true => self.evaluator.scopes_mut().set_local(target.symbol, contents, vec![]),
-                false => self.evaluator.scopes_mut().rebind_innermost_or_add_global(target.symbol, contents, vec![]),
-            }
-            return Ok(());
-        }
         self.refuse_semicolon_as_value(target.symbol)?;
         let deprecated = declare.deprecated.as_ref().map(|(once, why)| (*once, &**why));
         if !declare.others.is_empty() {
@@ -56,6 +44,23 @@ impl<'a> Interpreter<'a> {
         }
         let declared = self.evaluate_target(target)?;
         self.read_value_and_bind(declare.local, deprecated, declared)
+    }
+
+    /// Runs a declaration of one name as a number that the fast evaluation gives, such as `#declare A = B * 2;`. Returns
+    /// false, without any effect, for other declarations.
+    #[inline(never)]
+    pub(super) fn try_declare_number(&mut self, declare: &'a Declare) -> bool {
+        let Declare { target, others, deprecated, .. } = declare;
+        let is_simple =
+            target.keyword.is_none() && target.indices.is_empty() && others.is_empty() && deprecated.is_none();
+        let Some(x) = is_simple.then(|| self.take_number_and_semicolon()).flatten() else { return false };
+        let scopes = self.evaluator.scopes_mut();
+        match scopes.number_mut(target.symbol, declare.local) {
+            Some(number) => *number = x,
+            None if declare.local => scopes.set_local(target.symbol, Contents::Value(Value::Float(x)), vec![]),
+            None => scopes.rebind_innermost_or_add_global(target.symbol, Contents::Value(Value::Float(x)), vec![]),
+        }
+        true
     }
 
     /// Skips the value that is declared, and returns the error for the reserved name `word`.

@@ -19,7 +19,17 @@ use crate::syntax::ast::{Directive, Symbol};
 
 impl<'a> Interpreter<'a> {
     /// Runs a directive. For branches and loops, pushes a frame so that the body is read next.
+    #[inline]
     pub(super) fn run_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
+        // (Loops mostly declare numbers.)
+        match directive {
+            Directive::Declare(declare) if self.try_declare_number(declare) => Ok(()),
+            _ => self.run_general_directive(directive, span),
+        }
+    }
+
+    #[inline(never)]
+    fn run_general_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         match directive {
             Directive::Declare(declare) => self.run_declare(declare),
             Directive::DeclarePieces(local) => self.run_declare_by_tokens(*local, span),

@@ -152,7 +152,12 @@ impl<'a> Evaluator<'a> {
             return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
         };
         let next = value + step;
-        self.scopes.rebind_innermost_or_add_global(counter, Contents::Value(Value::Float(next)), vec![]);
+        match self.scopes.number_mut(counter, false) {
+            Some(number) => *number = next,
+            None => {
+                self.scopes.rebind_innermost_or_add_global(counter, Contents::Value(Value::Float(next)), vec![]);
+            }
+        }
         Ok(is_in_loop(next, last, step))
     }
 

@@ -138,15 +138,14 @@ impl Evaluator<'_> {
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
             ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
             ExprKind::Paren(inner) => self.try_quick(inner),
-            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Contents::Value(value)) if self.deprecated.is_empty() => T::from_value(value),
-                None => T::from_value(self.constants.fixed_value(*symbol)?),
-                _ => None,
-            },
+            ExprKind::Name(symbol) => self.quick_name(*symbol),
             ExprKind::Prefix(prefix, inner) => self.try_quick::<T>(inner)?.prefixed(*prefix),
             ExprKind::Chain(chain) => {
-                let first: T = self.try_quick(&chain.first)?;
-                chain.rest.iter().try_fold(first, |left, (op, operand)| left.combined(*op, self.try_quick(operand)?))
+                let first: T = self.quick_operand(&chain.first)?;
+                chain
+                    .rest
+                    .iter()
+                    .try_fold(first, |left, (op, operand)| left.combined(*op, self.quick_operand(operand)?))
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
@@ -168,6 +167,25 @@ impl Evaluator<'_> {
             },
             ExprKind::Dot(base, name, _) => self.quick_component(base, name).map(T::float),
             _ => None,
+        }
+    }
+
+    #[inline]
+    fn quick_name<T: QuickValue>(&self, symbol: Symbol) -> Option<T> {
+        match self.scopes.get(symbol) {
+            Some(Contents::Value(value)) if self.deprecated.is_empty() => T::from_value(value),
+            None => T::from_value(self.constants.fixed_value(symbol)?),
+            _ => None,
+        }
+    }
+
+    /// Evaluates an operand like [`Self::try_quick`]. (Most operands are numbers and names, which need no recursive call.)
+    #[inline(always)]
+    fn quick_operand<T: QuickValue>(&self, e: &Expr) -> Option<T> {
+        match &e.kind {
+            ExprKind::Number(x) => Some(T::float(*x)),
+            ExprKind::Name(symbol) => self.quick_name(*symbol),
+            _ => self.try_quick(e),
         }
     }
 

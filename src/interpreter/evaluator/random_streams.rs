@@ -34,11 +34,11 @@ impl RandomStreams {
     /// Ends an attempt. If it failed, the streams give the numbers again that it took.
     #[inline]
     pub fn end_attempt(&self, succeeded: bool) {
-        let mut before = self.states_before_attempt.borrow_mut();
-        if before.is_empty() {
+        // (Most scenes open no stream.)
+        if self.states.is_empty() {
             return;
         }
-        for (index, state) in before.drain(..).rev() {
+        for (index, state) in self.states_before_attempt.borrow_mut().drain(..).rev() {
             if !succeeded {
                 self.states[index].set(state);
             }

@@ -289,6 +289,21 @@ impl<'a> Scopes<'a> {
         }
     }
 
+    /// Returns the number that is bound to a name, for an assignment in place; `None` if the name's innermost binding is
+    /// something else or an alias. With `is_local`, the binding must be at the innermost level.
+    #[inline]
+    pub fn number_mut(&mut self, symbol: Symbol, is_local: bool) -> Option<&mut f64> {
+        let level = self.level();
+        match self.bindings.get_mut(symbol.0 as usize)?.last_mut()? {
+            Binding { level: own, contents: Contents::Value(Value::Float(number)), first_use_warnings: None }
+                if !is_local || *own == level =>
+            {
+                Some(number)
+            }
+            _ => None,
+        }
+    }
+
     /// Changes the innermost binding of a name, or the location that it is an alias of, as `#declare` does. A name
     /// without a binding gets a global one.
     pub fn rebind_innermost_or_add_global(

@@ -25,6 +25,8 @@ const TEXT_EVERY: usize = 64 << 20;
 pub(super) struct Usage {
     /// Number of directives, loop passes and macro calls that the run has executed.
     steps: u64,
+    /// Number of steps at which the limits are checked next.
+    next_check: u64,
     /// Bytes of strings that were created since the limits were last checked.
     text_made: usize,
     /// Time on the host's clock when the run began.
@@ -33,7 +35,7 @@ pub(super) struct Usage {
 
 impl Usage {
     pub fn new(host: &dyn Host) -> Self {
-        Self { steps: 0, text_made: 0, started: host.monotonic_time() }
+        Self { steps: 0, next_check: 1, text_made: 0, started: host.monotonic_time() }
     }
 }
 
@@ -52,25 +54,34 @@ pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Spa
 
 impl Reporter<'_> {
     /// Counts one step: a directive, a loop pass or a macro call. An error if a limit is exceeded, which ends the run.
+    #[inline]
     pub fn count_step(&mut self, span: Span) -> Result<()> {
         self.usage.steps += 1;
-        if self.usage.steps > self.inputs.options.max_steps {
-            let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
-            return self.limit_error(
-                codes::STEP_LIMIT,
-                span,
-                message,
-                "is this loop endless? --max-steps N allows more",
-            );
-        }
         // A few steps may take long, such as calls of `trace()`: the token is polled at each.
-        if self.usage.steps.is_multiple_of(CLOCK_EVERY) || self.inputs.options.cancel.is_cancelled() {
+        if self.usage.steps < self.usage.next_check && !self.inputs.options.cancel.is_cancelled() {
+            return Ok(());
+        }
+        self.check_limits_after_step(span)
+    }
+
+    /// Checks the limits that are to be checked at the present number of steps.
+    #[inline(never)]
+    fn check_limits_after_step(&mut self, span: Span) -> Result<()> {
+        let options = self.inputs.options;
+        let steps = self.usage.steps;
+        if steps > options.max_steps {
+            let message = format!("the scene took more than {} steps", options.max_steps);
+            let help = "is this loop endless? --max-steps N allows more";
+            return self.limit_error(codes::STEP_LIMIT, span, message, help);
+        }
+        let checks_memory_often = options.host.has_cheap_resident_bytes();
+        let interval = if checks_memory_often { MEMORY_EVERY } else { CLOCK_EVERY };
+        self.usage.next_check =
+            (steps / interval * interval).saturating_add(interval).min(options.max_steps.saturating_add(1));
+        if steps.is_multiple_of(CLOCK_EVERY) || options.cancel.is_cancelled() {
             return self.check_limits(span);
         }
-        if self.usage.steps.is_multiple_of(MEMORY_EVERY) && self.inputs.options.host.has_cheap_resident_bytes() {
-            return self.check_memory(span);
-        }
-        Ok(())
+        if checks_memory_often { self.check_memory(span) } else { Ok(()) }
     }
 
     /// Counts the bytes of a created string, and checks time and memory once per [`TEXT_EVERY`] bytes, because a few
