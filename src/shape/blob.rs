@@ -412,18 +412,18 @@ mod tests {
             (0..400).map(|i| (at(i) * 3.0, DVec3::ZERO, 0.9 + 0.4 * random(i, 3), 0.2 + 0.4 * random(i, 4))).collect();
         let shape = blob(12.0, &components);
         let mut many = 0;
-        for i in 0..300 {
+        for i in 0..100 {
             let ray = Ray::new(at(1000 + i) * 8.0, at(2000 + i) - at(1000 + i));
             let mut stretches = Stretches::new();
             shape.components.iter().for_each(|component| component.add_stretches(&ray, &mut stretches));
             many += usize::from(stretches.len() > FEW_STRETCHES);
             // Changes of sign between close points of the ray, which lie on both sides of each root.
-            let inside = |k: usize| shape.inside(ray.at(k as f64 * 0.005));
-            let changes = (0..4000).filter(|&k| inside(k) != inside(k + 1)).count();
+            let inside: Vec<bool> = (0..=4000).map(|k| shape.inside(ray.at(f64::from(k) * 0.005))).collect();
+            let changes = inside.windows(2).filter(|pair| pair[0] != pair[1]).count();
             let hits = all_hits(&shape, &ray).iter().filter(|hit| hit.t < 20.0).count();
             assert!(hits >= changes && (hits - changes).is_multiple_of(2), "{hits} {changes}");
         }
-        assert!(many > 50, "{many}");
+        assert!(many > 20, "{many}");
     }
 
     #[test]

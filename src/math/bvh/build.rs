@@ -6,7 +6,7 @@
 use super::node::{Child, WIDTH, Wide};
 use super::{Bvh, round_down, round_up};
 use crate::math::{Aabb, cancel, fork};
-use glam::Vec3A;
+use glam::{Vec3A, Vec4};
 use smallvec::SmallVec;
 use std::array::from_fn;
 use std::ops::Range;
@@ -38,19 +38,24 @@ impl Bvh {
         (bvh, order)
     }
 
-    /// Builds a BVH over `count` boxes whose items are packs of boxes: a group of boxes that `fits_in_one_pack` accepts
-    /// becomes one item; `fits_in_one_pack` accepts each single box. Also returns the range of each pack's boxes in the
-    /// order.
+    /// Builds a BVH over `count` boxes, given by their corners, whose items are packs of boxes: a group of boxes that
+    /// `fits_in_one_pack` accepts becomes one item; `fits_in_one_pack` accepts each single box. Also returns the range of
+    /// each pack's boxes in the order.
     pub fn build_packs(
         count: usize,
-        box_at: impl Fn(usize) -> Aabb + Sync,
+        box_corners: impl Fn(u32) -> [Vec3A; 2] + Sync,
         fits_in_one_pack: impl Fn(&[u32]) -> bool + Sync,
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let is_pack = |items: &[Prim]| {
-            let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
-            items.len() <= LARGEST && fits_in_one_pack(&numbers)
+            items.len() <= LARGEST && {
+                let numbers: SmallVec<[u32; LARGEST]> = items.iter().map(Prim::index).collect();
+                fits_in_one_pack(&numbers)
+            }
         };
-        let prims = fork::map(count, PRIMS_FOR_A_THREAD, |i| Prim::new(&box_at(i), i as u32));
+        let prims = fork::map(count, PRIMS_FOR_A_THREAD, |i| {
+            let [lower, upper] = box_corners(i as u32);
+            Prim::from_corners(lower, upper, i as u32)
+        });
         Build::build_hierarchy(prims, &is_pack, PACK)
     }
 }
@@ -120,7 +125,7 @@ impl Build {
         let mut order = Vec::with_capacity(build.prims.len());
         for item in &mut build.items {
             let start = order.len() as u32;
-            order.extend(build.prims[item.start as usize..item.end as usize].iter().map(|prim| prim.index));
+            order.extend(build.prims[item.start as usize..item.end as usize].iter().map(Prim::index));
             *item = start..order.len() as u32;
         }
         (build.bvh, order, build.items)
@@ -310,29 +315,41 @@ fn split_boxes(prims: &mut [Prim], around: &Around, force_halving: bool) -> (usi
     (count, halves)
 }
 
-/// A box that the construction of a BVH sorts.
+/// A box that the construction of a BVH sorts. (Both corners are loaded as four numbers at once.)
 #[derive(Clone, Copy)]
-#[repr(C, align(16))]
 struct Prim {
-    lo: [f32; 3],
-    index: u32,
-    hi: [f32; 3],
+    /// Lower corner of the box; the bits of `w` are the index of the box.
+    lower: Vec4,
+    /// Upper corner of the box; `w` is 1, so that the sum with the other `w` is an ordinary number.
+    upper: Vec4,
 }
 
 impl Prim {
     fn new(b: &Aabb, index: u32) -> Self {
-        Self { lo: b.min.to_array().map(round_down), hi: b.max.to_array().map(round_up), index }
+        let [lower, upper] = [b.min.to_array().map(round_down), b.max.to_array().map(round_up)];
+        Self::from_corners(lower.into(), upper.into(), index)
     }
 
+    fn from_corners(lower: Vec3A, upper: Vec3A, index: u32) -> Self {
+        Self { lower: lower.extend(f32::from_bits(index)), upper: upper.extend(1.0) }
+    }
+
+    fn index(&self) -> u32 {
+        self.lower.w.to_bits()
+    }
+
+    #[inline]
     fn lower_corner(&self) -> Vec3A {
-        self.lo.into()
+        Vec3A::from_vec4(self.lower)
     }
 
+    #[inline]
     fn upper_corner(&self) -> Vec3A {
-        self.hi.into()
+        Vec3A::from_vec4(self.upper)
     }
 
     /// Returns twice the centre of the box.
+    #[inline]
     fn doubled_center(&self) -> Vec3A {
         self.lower_corner() + self.upper_corner()
     }
@@ -417,9 +434,9 @@ impl Cut {
         let mut bins = [[Bin::EMPTY; BINS]; 3];
         for prim in prims {
             let one = Bin { lo: prim.lower_corner(), hi: prim.upper_corner(), count: 1 };
-            let places = ((prim.doubled_center() - around.first) * scale).to_array();
-            for axis in 0..3 {
-                let bin = &mut bins[axis][(places[axis] as i32 as usize).min(BINS - 1)];
+            let places = (prim.doubled_center() - around.first) * scale;
+            for (bins, number) in bins.iter_mut().zip(rounded_below_16(places - 0.5)) {
+                let bin = &mut bins[number.min(BINS - 1)];
                 *bin = bin.join(one);
             }
         }
@@ -431,8 +448,17 @@ impl Cut {
 
     #[inline]
     fn is_left(&self, prim: &Prim) -> bool {
-        (prim.lo[self.axis] + prim.hi[self.axis] - self.from) * self.scale < self.bin
+        (prim.lower[self.axis] + prim.upper[self.axis] - self.from) * self.scale < self.bin
     }
+}
+
+/// Rounds numbers from -0.5 to below 15.5 to integers; returns any integers below 16 for others. (A conversion by `as` also
+/// handles infinite numbers and NaN, which takes longer.)
+#[inline(always)]
+fn rounded_below_16(numbers: Vec3A) -> [usize; 3] {
+    // The least significant bit of a number from 2²³ to 2²⁴ is 1; the last bits of this one are 0.
+    let shifted = numbers + Vec3A::splat((3 << 22) as f32);
+    shifted.to_array().map(|x| (x.to_bits() & 15) as usize)
 }
 
 /// Returns the number of bins on the left of the cheapest split plane, and its cost; infinite if all items are in one
@@ -480,6 +506,18 @@ fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Aroun
 mod tests {
     use super::*;
     use crate::math::{DVec3, rng};
+
+    #[test]
+    fn rounding_to_integers() {
+        for k in -8..248 {
+            let x = k as f32 / 16.0;
+            let expected = x.round_ties_even() as usize;
+            assert_eq!(rounded_below_16(Vec3A::new(x, 3.0, x)), [expected, 3, expected], "{x}");
+        }
+        for x in [f32::NAN, f32::INFINITY, -1e30] {
+            assert!(rounded_below_16(Vec3A::splat(x)).iter().all(|number| *number < 16), "{x}");
+        }
+    }
 
     #[test]
     fn any_number_of_threads_builds_the_same_hierarchy() {

@@ -1,6 +1,7 @@
 //! A few triangles with common corners, which are tested against a ray at once.
 
 use crate::math::{DVec2, Sheared};
+use glam::Vec3;
 use std::array::from_fn;
 use std::ops::Range;
 
@@ -32,24 +33,23 @@ pub(super) struct Areas {
 }
 
 impl Pack {
-    /// True if these triangles fit into a pack.
-    pub fn fit_in_pack(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
-        let mut corners = [[0.0; 3]; MANY];
-        let mut len = 0;
-        triangles.flatten().all(|p| find_or_add_corner(&mut corners, &mut len, p).is_some())
+    /// True if triangles with these vertices, given by their numbers in `vertices`, fit into a pack.
+    pub fn fit_in_pack(triangles: impl Iterator<Item = [u32; 3]>, vertices: &[Vec3]) -> bool {
+        let mut corners = Corners::default();
+        triangles.flatten().all(|vertex| corners.find_or_add(vertex, vertices).is_some())
     }
 
-    /// Packs the triangles with these indices, for which [`Pack::fit_in_pack`] must be true.
-    pub fn new(indices: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
-        let mut corners = [[0.0; 3]; MANY];
+    /// Packs the triangles with these indices, for which [`Pack::fit_in_pack`] must be true. `triangle` returns the numbers of
+    /// a triangle's vertices.
+    pub fn new(indices: Range<u32>, triangle: impl Fn(u32) -> [u32; 3], vertices: &[Vec3]) -> Self {
+        let mut corners = Corners::default();
         let mut numbers = [[[0; HALF]; 2]; 3];
-        let mut len = 0;
-        for (lane, number) in indices.clone().enumerate().take(MANY) {
-            for (numbers, p) in numbers.iter_mut().zip(triangle(number)) {
-                numbers[lane / HALF][lane % HALF] = find_or_add_corner(&mut corners, &mut len, p).unwrap_or_default();
+        for (lane, index) in indices.clone().enumerate().take(MANY) {
+            for (numbers, vertex) in numbers.iter_mut().zip(triangle(index)) {
+                numbers[lane / HALF][lane % HALF] = corners.find_or_add(vertex, vertices).unwrap_or_default();
             }
         }
-        let corners = from_fn(|axis| corners.map(|p| p[axis]));
+        let corners = from_fn(|axis| corners.positions.map(|p| p[axis]));
         Self { corners, numbers, first: indices.start, count: indices.end - indices.start }
     }
 
@@ -194,12 +194,29 @@ pub(super) mod avx2 {
     }
 }
 
-/// Finds the index of a corner in the pack, appending it if it is new; `None` if the pack is full.
-fn find_or_add_corner(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
-    let known = corners[..*len].iter().position(|q| *q == p);
-    if known.is_none() {
-        *corners.get_mut(*len)? = p;
-        *len += 1;
+/// Different corners of a pack's triangles.
+#[derive(Default)]
+struct Corners {
+    /// A vertex at each corner; others can be at the same position.
+    vertices: [u32; MANY],
+    positions: [Vec3; MANY],
+    count: usize,
+}
+
+impl Corners {
+    /// Returns the number of the corner at the position of a vertex, which is added if it is new; `None` if the pack is full.
+    fn find_or_add(&mut self, vertex: u32, vertices: &[Vec3]) -> Option<u8> {
+        let known = &self.vertices[..self.count];
+        if let Some(corner) = known.iter().position(|other| *other == vertex) {
+            return Some(corner as u8);
+        }
+        let position = vertices[vertex as usize];
+        if let Some(corner) = self.positions[..self.count].iter().position(|other| *other == position) {
+            return Some(corner as u8);
+        }
+        *self.vertices.get_mut(self.count)? = vertex;
+        self.positions[self.count] = position;
+        self.count += 1;
+        Some(self.count as u8 - 1)
     }
-    Some(known.unwrap_or(*len - 1) as u8)
 }

@@ -3,8 +3,8 @@
 use super::node::{self, Child, Kind, WIDTH};
 use super::pack::{self, Pack};
 use super::{Bvh, Entry, FlatRay, STACK, flat_ray, nearest_child_pushing_others, pad_up};
-use crate::math::{Aabb, DVec2, Range, Ray, Sheared, fork};
-use glam::Vec3;
+use crate::math::{DVec2, Range, Ray, Sheared, fork};
+use glam::{Vec3, Vec3A};
 use std::ops::ControlFlow;
 
 /// Minimum number of packs that one thread makes in a row.
@@ -43,13 +43,17 @@ macro_rules! meet {
 }
 
 impl Triangles {
-    /// Builds a BVH over the triangles with these corners, whose boxes [`super::fits_single_precision`] accepts; also
-    /// returns the index of the triangle at each position of the order.
-    pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3] + Sync) -> (Self, Vec<u32>) {
-        let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
-        let (bvh, order, rows) =
-            Bvh::build_packs(count, bounds, |items| Pack::fit_in_pack(items.iter().map(|i| corners(*i))));
-        let pack = |i: usize| Pack::new(rows[i].clone(), |place| corners(order[place as usize]));
+    /// Builds a BVH over `count` triangles, whose corners are `vertices` with the numbers that `corners` returns for a
+    /// triangle's index. [`super::fits_single_precision`] must accept the box of each triangle. Also returns the index of the
+    /// triangle at each position of the order.
+    pub fn build(count: usize, vertices: &[Vec3], corners: impl Fn(u32) -> [u32; 3] + Sync) -> (Self, Vec<u32>) {
+        let box_corners = |i: u32| {
+            let [a, b, c] = corners(i).map(|number| Vec3A::from(vertices[number as usize]));
+            [a.min(b).min(c), a.max(b).max(c)]
+        };
+        let fit_in_pack = |items: &[u32]| Pack::fit_in_pack(items.iter().map(|i| corners(*i)), vertices);
+        let (bvh, order, rows) = Bvh::build_packs(count, box_corners, fit_in_pack);
+        let pack = |i: usize| Pack::new(rows[i].clone(), |place| corners(order[place as usize]), vertices);
         let packs = fork::map(rows.len(), PACKS_FOR_A_THREAD, pack);
         (Self { bvh, packs }, order)
     }
@@ -112,6 +116,12 @@ mod tests {
         net.chain(loose).collect()
     }
 
+    /// Builds the hierarchy over triangles, each of which has its own vertices.
+    fn built(corners: &[[[f32; 3]; 3]]) -> (Triangles, Vec<u32>) {
+        let vertices: Vec<Vec3> = corners.iter().flatten().map(|p| Vec3::from(*p)).collect();
+        Triangles::build(corners.len(), &vertices, |i| [3 * i, 3 * i + 1, 3 * i + 2])
+    }
+
     /// Rays at random, through corners, through sides, along axes.
     fn rays(corners: &[[[f32; 3]; 3]]) -> impl Iterator<Item = Ray> {
         (0..1200).map(|i| {
@@ -139,7 +149,7 @@ mod tests {
     #[test]
     fn every_hit_is_found_to_the_last_bit() {
         let corners = corners();
-        let (triangles, order) = Triangles::build(corners.len(), |i| corners[i as usize]);
+        let (triangles, order) = built(&corners);
         let mut hits = 0;
         for ray in rays(&corners) {
             let line = Sheared::new(&ray);
@@ -166,7 +176,7 @@ mod tests {
             return;
         }
         let corners = corners();
-        let (triangles, _) = Triangles::build(corners.len(), |i| corners[i as usize]);
+        let (triangles, _) = built(&corners);
         for ray in rays(&corners) {
             let (mut plain, mut wide) = (Found::new(), Found::new());
             triangles.visit_hits_portably(&ray, Range::ALL, all(&mut plain, f64::INFINITY));

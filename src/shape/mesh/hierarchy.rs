@@ -44,8 +44,8 @@ impl TriangleHierarchy {
         let mut all = Self { lists, ..Self::default() };
         let is_usable = fork::map(all.lists.corners.len(), FACES_FOR_A_THREAD, |i| all.is_usable(i));
         let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| is_usable[i as usize]).collect();
-        let corners = |i: u32| all.lists.corners[i as usize].map(|i| all.lists.vertices[i as usize].to_array());
-        let (bvh, order) = bvh::Triangles::build(kept.len(), |i| corners(kept[i as usize]));
+        let corners = |i: u32| all.lists.corners[kept[i as usize] as usize];
+        let (bvh, order) = bvh::Triangles::build(kept.len(), &all.lists.vertices, corners);
         all.written = vec![0; order.len()];
         for (at, i) in order.iter().enumerate() {
             all.written[*i as usize] = at as u32;
