@@ -9,6 +9,7 @@ use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
+use std::array::from_fn;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
@@ -35,24 +36,62 @@ impl Field for Waves {
 
     fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
-        let wave = |s: &Source| {
-            let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
-            fp::sin(TAU * turns) / s.frequency
-        };
-        let sources = wave_sources(at.waves);
-        0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
+        let mut sum = 0.0;
+        for_each_wave(
+            at,
+            |source, distance| source.frequency * frequency * distance + phase,
+            |source, wave| sum += wave.sine / source.frequency,
+        );
+        0.5 + 0.2 * sum / wave_sources(at.waves).len() as f64
     }
 
     fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
-        let wave = |s: &Source| {
-            let from = at.p - s.place;
-            let r = from.length();
-            fp::sin(TAU * (s.frequency * frequency * r + phase)) / s.frequency * from / r
-        };
-        let sources = wave_sources(at.waves);
-        Some(n + amount / sources.len() as f64 * sources.iter().map(wave).sum::<DVec3>())
+        let mut sum = DVec3::ZERO;
+        for_each_wave(
+            at,
+            |source, distance| source.frequency * frequency * distance + phase,
+            |source, wave| sum += wave.sine / source.frequency * wave.from_source / wave.distance,
+        );
+        Some(n + amount / wave_sources(at.waves).len() as f64 * sum)
     }
+}
+
+/// A wave of the patterns `waves` and `ripples` at a point.
+#[derive(Clone, Copy)]
+pub struct Wave {
+    /// Height of the wave.
+    pub sine: f64,
+    /// Vector from the source to the point.
+    pub from_source: DVec3,
+    /// Length of that vector.
+    pub distance: f64,
+}
+
+/// Number of waves that are computed at once: the default of `number_of_waves`.
+const MANY: usize = 10;
+
+/// Calls `visit` with each source of waves and its wave at the point of `at`. `turns` returns the phase of a wave, in turns,
+/// at a distance from its source.
+#[inline]
+pub fn for_each_wave(at: &TextureContext, turns: impl Fn(&Source, f64) -> f64, mut visit: impl FnMut(&Source, &Wave)) {
+    let (groups, others) = wave_sources(at.waves).as_chunks::<MANY>();
+    for group in groups {
+        group.iter().zip(&waves_at(at.p, group, &turns)).for_each(|(source, wave)| visit(source, wave));
+    }
+    for source in others {
+        let [wave] = waves_at(at.p, &[*source], &turns);
+        visit(source, &wave);
+    }
+}
+
+/// Returns the waves of sources at a point.
+#[inline(always)]
+fn waves_at<const N: usize>(p: DVec3, sources: &[Source; N], turns: impl Fn(&Source, f64) -> f64) -> [Wave; N] {
+    let from_source = sources.each_ref().map(|source| p - source.place);
+    let distance = from_source.map(DVec3::length);
+    let sine: [f64; N] = fp::sines(from_fn(|i| TAU * turns(&sources[i], distance[i])));
+    from_fn(|i| Wave { sine: sine[i], from_source: from_source[i], distance: distance[i] })
 }
 
 /// A source of the patterns `waves` and `ripples`.

@@ -9,12 +9,14 @@
 mod hyperbolic;
 mod pow;
 mod remainder;
+mod sines;
 
 use std::f64::consts::TAU;
 
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub use pow::{pow, pow_f32, quick_pow};
 pub use remainder::remainder;
+pub use sines::sines;
 
 /// Sine of an angle in radians.
 #[inline]
