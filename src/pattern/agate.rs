@@ -43,10 +43,11 @@ impl Field for Agate {
     }
 
     fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-        // quirk: agate_constants
-        let turbulence = noise::turbulence(at.p, params.turbulence.to_octaves(), at.noise);
-        let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
-        fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)
+        band(fp::sin(self.angle(at, params)))
+    }
+
+    fn values_with_params(&self, at: &[TextureContext; 4], params: &FieldParams) -> [f64; 4] {
+        fp::sines(at.each_ref().map(|at| self.angle(at, params))).map(band)
     }
 
     fn default_colors(&self) -> Vec<(f64, Color)> {
@@ -61,4 +62,18 @@ impl Field for Agate {
         .map(|(at, rgb)| (at, Color::opaque(rgb.into())))
         .to_vec()
     }
+}
+
+impl Agate {
+    /// Returns the angle whose sine determines the band at a point.
+    fn angle(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        // quirk: agate_constants
+        let turbulence = noise::turbulence(at.p, params.turbulence.to_octaves(), at.noise);
+        TAU * (1.3 * self.turbulence * turbulence + 1.1 * at.p.z)
+    }
+}
+
+/// Returns the pattern's number for the sine of an angle.
+fn band(sine: f64) -> f64 {
+    fp::pow(0.5 * (sine + 1.0), 0.77)
 }

@@ -131,3 +131,30 @@ pub trait Field {
         GRAYS.to_vec()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Agate, FieldPattern, Wood, extreme_points};
+
+    #[test]
+    fn four_points_have_the_bits_of_single_points() {
+        let spread = [DVec3::ZERO, DVec3::X, -0.3 * DVec3::Y, 1e-3 * DVec3::ONE];
+        let usual =
+            (0..300).map(|i| DVec3::new(f64::from(i) * 0.37 - 50.0, f64::from(i % 17), f64::from(i % 5) * 0.21));
+        for p in usual.chain(extreme_points()) {
+            let at = spread.map(|offset| TextureContext::without_surface(p + offset, Default::default()));
+            for amount in [DVec3::ZERO, DVec3::new(0.05, 0.3, 2.0)] {
+                let turbulence = TurbulenceParams { amount, ..TurbulenceParams::default() };
+                let params = FieldParams { turbulence: &turbulence, ..FieldParams::NONE };
+                for field in [FieldPattern::from(Wood {}), Agate { turbulence: 0.7 }.into()] {
+                    let single = at.each_ref().map(|at| field.value_with_params(at, &params));
+                    let four = field.values_with_params(&at, &params);
+                    let is_same =
+                        |i: usize| four[i].to_bits() == single[i].to_bits() || single[i].is_nan() && four[i].is_nan();
+                    assert!((0..4).all(is_same), "{field:?} at {p}: {four:?} {single:?}");
+                }
+            }
+        }
+    }
+}

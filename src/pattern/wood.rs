@@ -10,6 +10,7 @@ use crate::diagnostic::Result;
 use crate::math::{DVec2, DVec3, fp, noise};
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
+use std::array::from_fn;
 use std::f64::consts::TAU;
 
 /// Pattern `wood`: rings around the z axis.
@@ -38,14 +39,20 @@ impl Field for Wood {
     }
 
     fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-        let by = params.turbulence;
-        if by.amount == DVec3::ZERO {
+        if params.turbulence.amount == DVec3::ZERO {
             return self.value(at);
         }
-        // Each coordinate is shifted by a sine of itself, whose phase is the noise.
-        let p = at.p.truncate();
-        let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.to_octaves()).truncate());
-        (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()
+        let (p, angle) = point_and_angles(at, params);
+        (p + DVec2::from(fp::sines(angle))).length()
+    }
+
+    fn values_with_params(&self, at: &[TextureContext; 4], params: &FieldParams) -> [f64; 4] {
+        if params.turbulence.amount == DVec3::ZERO {
+            return at.each_ref().map(|at| self.value(at));
+        }
+        let places = at.each_ref().map(|at| point_and_angles(at, params));
+        let sines: [f64; 8] = fp::sines(from_fn(|i| places[i / 2].1[i % 2]));
+        from_fn(|i| (places[i].0 + DVec2::new(sines[2 * i], sines[2 * i + 1])).length())
     }
 
     fn handles_turbulence_itself(&self) -> bool {
@@ -60,4 +67,11 @@ impl Field for Wood {
         let [early, late] = [[0.666, 0.312, 0.2], [0.4, 0.1333, 0.066]].map(|rgb| Color::opaque(rgb.into()));
         vec![(0.6, early), (0.6, late)]
     }
+}
+
+/// Returns x and y of a point, and the angles by whose sines turbulence shifts them: the phase of each is the noise.
+fn point_and_angles(at: &TextureContext, params: &FieldParams) -> (DVec2, [f64; 2]) {
+    let by = params.turbulence;
+    let p = at.p.truncate();
+    (p, (TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.to_octaves()).truncate())).to_array())
 }

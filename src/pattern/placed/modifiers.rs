@@ -108,7 +108,7 @@ fn signed_remainder_by_period(x: f64) -> f64 {
         return x;
     }
     if rest >= 16.0 * PERIOD {
-        return x % PERIOD;
+        return fp::remainder(x, PERIOD);
     }
     // A difference is exact if neither number is more than twice the other (Sterbenz, Floating-point computation,
     // 1974).
