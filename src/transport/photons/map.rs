@@ -361,14 +361,15 @@ impl Search<'_> {
                 let middle = part.from + (part.to - part.from) / 2;
                 let Division { at, axis, .. } = self.map.divisions[middle as usize];
                 let beyond = self.p[axis as usize] - at;
-                let mut far = part;
+                // (Changed in place: a copy of what was just changed would wait for the change.)
+                let far = &mut pending[n_pending];
+                *far = part;
                 far.axis_distances[axis as usize] = beyond;
                 if beyond < 0.0 {
                     (part.to, far.from) = (middle, middle);
                 } else {
                     (part.from, far.to) = (middle, middle);
                 }
-                pending[n_pending] = far;
                 n_pending += 1;
             }
             self.visit_leaf(part.from);
