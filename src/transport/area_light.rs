@@ -261,7 +261,7 @@ impl Tracer<'_> {
     fn trace_cell_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
         let offset = jittered_offset(grid.area, cell, &grid.sides, grid.random);
         let (from, distance) = grid.light.emitter.direction_and_distance(grid.point, offset);
-        self.visibility_along_ray(grid.light, Ray::new(grid.point, from), distance, grid.inside)
+        self.visibility_along_ray(grid.light, &Ray::new(grid.point, from), distance, grid.inside)
     }
 }
 

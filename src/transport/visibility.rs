@@ -14,7 +14,7 @@ use crate::world::{Intersection, Intersections, LightFilters, LightSource, Shado
 /// A ray from a surface to a light.
 struct ShadowRay<'a> {
     light: &'a LightSource,
-    ray: Ray,
+    ray: &'a Ray,
     /// Distances between which objects occlude the light.
     range: Range,
     /// Distance of the light from the surface.
@@ -43,7 +43,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         match self.light_grid(light, bounces) {
             Some(area) => self.area_visibility(light, area, point, sample, inside),
-            None => self.visibility_along_ray(light, Ray::new(point, sample.to_light), sample.distance, inside),
+            None => self.visibility_along_ray(light, &Ray::new(point, sample.to_light), sample.distance, inside),
         }
     }
 
@@ -51,14 +51,14 @@ impl Tracer<'_> {
     pub(super) fn visibility_along_ray(
         &mut self,
         light: &LightSource,
-        ray: Ray,
+        ray: &Ray,
         distance: f64,
         inside: &Interiors,
     ) -> Rgb {
         let epsilon = self.context.world.epsilon.shadow;
         let mut range = Range { min: epsilon, max: distance - epsilon };
         if let Some(projector) = light.through.as_ref().filter(|_| self.context.quality.shadows) {
-            let Some(hit) = projector.closest(&ray, range, |_| true) else { return Rgb::ZERO };
+            let Some(hit) = projector.closest(ray, range, |_| true) else { return Rgb::ZERO };
             // Objects between the projector and the light do not occlude, air does (quirk: `projected_through_range`).
             range.max = hit.t();
         }
@@ -81,13 +81,13 @@ impl Tracer<'_> {
             let object = &world.objects[id as usize];
             object.is_hit_by_photons && photons::photons_replace_transmitted(world, shadow.light, object.photons)
         };
-        world.geometry.any(&shadow.ray, shadow.range, replaces)
+        world.geometry.any(shadow.ray, shadow.range, replaces)
     }
 
     /// Returns the product of the transmittances of all surfaces and segments along a shadow ray. A solid has two
     /// surfaces, and both attenuate.
     fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
-        let ShadowRay { light, ref ray, range, distance } = *shadow;
+        let ShadowRay { light, ray, range, distance } = *shadow;
         let world = self.context.world;
         let (see_through, use_quick_color) = (world.see_through, !self.context.quality.pigments);
         // The search for an opaque occluder ends at its first hit. Without a hit, it has come by all objects whose boxes the

@@ -33,7 +33,7 @@ impl ConvexInterval {
     /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
     pub(super) fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
-        // (Without `Leaf::local`, which would copy the ray.)
+        // (Two calls, because a ray chosen before one call would be copied.)
         match &leaf.place {
             Some(place) => Self::inside_shape_of_local_ray(leaf, &place.inverse_transform_ray(ray)),
             None => Self::inside_shape_of_local_ray(leaf, ray),

@@ -71,9 +71,13 @@ impl Leaf {
         Self { inverse, ..self }
     }
 
-    /// Transforms a ray from world to object space, M⁻¹·ray.
-    pub(super) fn local(&self, ray: &Ray) -> Ray {
-        self.place.as_ref().map_or(*ray, |m| m.inverse_transform_ray(ray))
+    /// Returns the point at `t` of a ray, M⁻¹·ray, in object space.
+    #[inline]
+    fn object_point_at(&self, ray: &Ray, t: f64) -> DVec3 {
+        match &self.place {
+            Some(m) => m.inverse_transform_ray(ray).at(t),
+            None => ray.at(t),
+        }
     }
 
     #[inline]
@@ -108,13 +112,19 @@ impl Leaf {
     }
 
     pub(super) fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.shape.hits(&self.local(ray), range, out);
+        match &self.place {
+            Some(m) => self.shape.hits(&m.inverse_transform_ray(ray), range, out),
+            None => self.shape.hits(ray, range, out),
+        }
     }
 
     /// Appends the hits that a CSG object or a clipping solid can use, which may be fewer than all; see
     /// [`Kernel::limited_hits_for_csg`]. The caller clips them.
     pub(super) fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.shape.limited_hits_for_csg(&self.local(ray), range, out);
+        match &self.place {
+            Some(m) => self.shape.limited_hits_for_csg(&m.inverse_transform_ray(ray), range, out),
+            None => self.shape.limited_hits_for_csg(ray, range, out),
+        }
     }
 
     #[inline]
@@ -239,8 +249,10 @@ impl Intersection<'_> {
 
     /// Returns the point of the surface in the space of the leaf's shape.
     fn object_point(&self, ray: &Ray) -> DVec3 {
-        let local = self.instance.map_or(*ray, |instance| instance.local(ray));
-        self.leaf.local(&local).at(self.hit.t)
+        match self.instance {
+            Some(instance) => self.leaf.object_point_at(&instance.local(ray), self.hit.t),
+            None => self.leaf.object_point_at(ray, self.hit.t),
+        }
     }
 }
 

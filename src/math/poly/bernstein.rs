@@ -69,13 +69,24 @@ fn sign_changes(b: &[f64]) -> usize {
 /// is the degree, at least 2.
 #[inline(always)]
 fn quadratic_at<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> [f64; 3] {
-    let mut b = *b;
-    for last in (2..degree).rev() {
-        for i in 0..=last {
-            b[i] += (b[i + 1] - b[i]) * t;
+    // (Cubics and quartics are the most frequent. Their coefficients stay in registers; those of a loop are in memory.)
+    let mix = |i: usize| b[i] + (b[i + 1] - b[i]) * t;
+    match N {
+        4 => [mix(0), mix(1), mix(2)],
+        5 => {
+            let [b0, b1, b2, b3] = [mix(0), mix(1), mix(2), mix(3)];
+            [b0 + (b1 - b0) * t, b1 + (b2 - b1) * t, b2 + (b3 - b2) * t]
+        }
+        _ => {
+            let mut b = *b;
+            for last in (2..degree).rev() {
+                for i in 0..=last {
+                    b[i] += (b[i + 1] - b[i]) * t;
+                }
+            }
+            [b[0], b[1], b[2]]
         }
     }
-    [b[0], b[1], b[2]]
 }
 
 /// Returns the value of a Bernstein polynomial, of degree 2 or more, at t.
