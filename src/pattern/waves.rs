@@ -59,7 +59,7 @@ impl Field for Waves {
 
 /// A wave of the patterns `waves` and `ripples` at a point.
 #[derive(Clone, Copy)]
-pub struct Wave {
+pub struct WaveAtPoint {
     /// Height of the wave.
     pub sine: f64,
     /// Vector from the source to the point.
@@ -74,7 +74,11 @@ const MANY: usize = 10;
 /// Calls `visit` with each source of waves and its wave at the point of `at`. `turns` returns the phase of a wave, in turns,
 /// at a distance from its source.
 #[inline]
-pub fn for_each_wave(at: &TextureContext, turns: impl Fn(&Source, f64) -> f64, mut visit: impl FnMut(&Source, &Wave)) {
+pub fn for_each_wave(
+    at: &TextureContext,
+    turns: impl Fn(&Source, f64) -> f64,
+    mut visit: impl FnMut(&Source, &WaveAtPoint),
+) {
     let (groups, others) = wave_sources(at.waves).as_chunks::<MANY>();
     for group in groups {
         group.iter().zip(&waves_at(at.p, group, &turns)).for_each(|(source, wave)| visit(source, wave));
@@ -87,11 +91,11 @@ pub fn for_each_wave(at: &TextureContext, turns: impl Fn(&Source, f64) -> f64, m
 
 /// Returns the waves of sources at a point.
 #[inline(always)]
-fn waves_at<const N: usize>(p: DVec3, sources: &[Source; N], turns: impl Fn(&Source, f64) -> f64) -> [Wave; N] {
+fn waves_at<const N: usize>(p: DVec3, sources: &[Source; N], turns: impl Fn(&Source, f64) -> f64) -> [WaveAtPoint; N] {
     let from_source = sources.each_ref().map(|source| p - source.place);
     let distance = from_source.map(DVec3::length);
     let sine: [f64; N] = fp::sines(from_fn(|i| TAU * turns(&sources[i], distance[i])));
-    from_fn(|i| Wave { sine: sine[i], from_source: from_source[i], distance: distance[i] })
+    from_fn(|i| WaveAtPoint { sine: sine[i], from_source: from_source[i], distance: distance[i] })
 }
 
 /// A source of the patterns `waves` and `ripples`.

@@ -8,6 +8,7 @@ mod flat_ray;
 mod node;
 mod pack;
 mod shaft;
+mod split;
 mod triangles;
 
 pub use shaft::Shaft;

@@ -29,7 +29,7 @@ const MAX_ANGLE: f64 = 1e6;
 
 /// Returns the sines of angles in radians, each with the bits of [`super::sin`].
 ///
-/// The method is that of FreeBSD's msun, which `libm::sin` follows: the angle less a multiple of π/2, then a polynomial. Here
+/// The method is that of Sun's fdlibm (1993), which `libm::sin` follows: the angle less a multiple of π/2, then a polynomial. Here
 /// no step depends on the angle, so that the compiler can compute several sines at once. The few angles for which `libm::sin`
 /// takes other steps are left to it.
 #[inline]
