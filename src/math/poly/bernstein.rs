@@ -165,9 +165,10 @@ fn split_in_half<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64
 /// Returns the Bernstein coefficients on the interval from t0 to t1.
 #[inline(always)]
 fn restrict_to_interval<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
+    // (Without `..=`, whose loops the compiler does not unroll.)
     if t0 > 0.0 {
         for last in (0..degree).rev() {
-            for i in 0..=last {
+            for i in 0..last + 1 {
                 b[i] += (b[i + 1] - b[i]) * t0;
             }
         }
@@ -175,8 +176,8 @@ fn restrict_to_interval<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1)
     if t1 < 1.0 {
         // Cut at t1, in units of the remaining interval.
         let back = (1.0 - t1) / (1.0 - t0);
-        for first in 1..=degree {
-            for i in (first..=degree).rev() {
+        for first in 1..degree + 1 {
+            for i in (first..degree + 1).rev() {
                 b[i] += (b[i - 1] - b[i]) * back;
             }
         }
@@ -395,8 +396,9 @@ fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, value_at_one: f6
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
         *a *= inverse;
     }
-    for k in 1..=degree {
-        for j in (k..=degree).rev() {
+    // (Without `..=`, whose loops the compiler does not unroll.)
+    for k in 1..degree + 1 {
+        for j in (k..degree + 1).rev() {
             a[j] += a[j - 1];
         }
     }
