@@ -33,18 +33,17 @@ impl Field for Ripples {
     }
 
     fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let mut sum = 0.0;
-        for_each_wave(at, |_, distance| frequency * distance + phase, |_, wave| sum += wave.sine);
+        for_each_wave(at, params.modifiers, |_, frequency| frequency, |_, wave| sum += wave.sine);
         0.5 + 0.5 * sum / wave_sources(at.waves).len() as f64
     }
 
     fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
-        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let mut sum = DVec3::ZERO;
         for_each_wave(
             at,
-            |_, distance| frequency * distance + phase,
+            params.modifiers,
+            |_, frequency| frequency,
             |_, wave| sum += wave.sine * wave.from_source / wave.distance,
         );
         Some(n + amount / wave_sources(at.waves).len() as f64 * sum)

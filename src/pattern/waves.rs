@@ -4,7 +4,7 @@
 //! plane { y, 0.1 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
-use super::{Field, FieldParams, TextureContext};
+use super::{Field, FieldParams, Modifiers, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Readable, Reader, Spec};
@@ -35,26 +35,23 @@ impl Field for Waves {
     }
 
     fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let mut sum = 0.0;
-        for_each_wave(
-            at,
-            |source, distance| source.frequency * frequency * distance + phase,
-            |source, wave| sum += wave.sine / source.frequency,
-        );
+        for_each_wave(at, params.modifiers, frequency, |source, wave| sum += wave.sine / source.frequency);
         0.5 + 0.2 * sum / wave_sources(at.waves).len() as f64
     }
 
     fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
-        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let mut sum = DVec3::ZERO;
-        for_each_wave(
-            at,
-            |source, distance| source.frequency * frequency * distance + phase,
-            |source, wave| sum += wave.sine / source.frequency * wave.from_source / wave.distance,
-        );
+        for_each_wave(at, params.modifiers, frequency, |source, wave| {
+            sum += wave.sine / source.frequency * wave.from_source / wave.distance;
+        });
         Some(n + amount / wave_sources(at.waves).len() as f64 * sum)
     }
+}
+
+/// Returns the frequency of a source's wave in a pattern `waves` with this `frequency`.
+fn frequency(source: &Source, of_pattern: f64) -> f64 {
+    source.frequency * of_pattern
 }
 
 /// A wave of the patterns `waves` and `ripples` at a point.
@@ -71,30 +68,33 @@ pub struct WaveAtPoint {
 /// Number of waves that are computed at once: the default of `number_of_waves`.
 const MANY: usize = 10;
 
-/// Calls `visit` with each source of waves and its wave at the point of `at`. `turns` returns the phase of a wave, in turns,
-/// at a distance from its source.
+/// Calls `visit` with each source of waves and its wave at the point of `at`. `frequency` returns the frequency of a source's
+/// wave for the `frequency` of the pattern.
 #[inline]
 pub fn for_each_wave(
     at: &TextureContext,
-    turns: impl Fn(&Source, f64) -> f64,
+    modifiers: &Modifiers,
+    frequency: impl Fn(&Source, f64) -> f64,
     mut visit: impl FnMut(&Source, &WaveAtPoint),
 ) {
+    let of_pattern = modifiers.frequency.unwrap_or(1.0);
+    let angle = |source: &Source, distance: f64| TAU * (frequency(source, of_pattern) * distance + modifiers.phase);
     let (groups, others) = wave_sources(at.waves).as_chunks::<MANY>();
     for group in groups {
-        group.iter().zip(&waves_at(at.p, group, &turns)).for_each(|(source, wave)| visit(source, wave));
+        group.iter().zip(&waves_at(at.p, group, angle)).for_each(|(source, wave)| visit(source, wave));
     }
     for source in others {
-        let [wave] = waves_at(at.p, &[*source], &turns);
+        let [wave] = waves_at(at.p, &[*source], angle);
         visit(source, &wave);
     }
 }
 
-/// Returns the waves of sources at a point.
+/// Returns the waves of sources at a point. `angle` returns the angle of a wave, in radians, at a distance from its source.
 #[inline(always)]
-fn waves_at<const N: usize>(p: DVec3, sources: &[Source; N], turns: impl Fn(&Source, f64) -> f64) -> [WaveAtPoint; N] {
+fn waves_at<const N: usize>(p: DVec3, sources: &[Source; N], angle: impl Fn(&Source, f64) -> f64) -> [WaveAtPoint; N] {
     let from_source = sources.each_ref().map(|source| p - source.place);
     let distance = from_source.map(DVec3::length);
-    let sine: [f64; N] = fp::sines(from_fn(|i| TAU * turns(&sources[i], distance[i])));
+    let sine: [f64; N] = fp::sines(from_fn(|i| angle(&sources[i], distance[i])));
     from_fn(|i| WaveAtPoint { sine: sine[i], from_source: from_source[i], distance: distance[i] })
 }
 

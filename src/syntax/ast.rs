@@ -1,11 +1,10 @@
 //! The syntax tree of a scene's text: a sequence of elements with their spans. Nothing is evaluated; a list beside the
 //! tree holds the tokens and comments.
 
+pub use super::number_list::{NumberList, Numbers, Widths};
 use super::tokens::Tokens;
 use super::word::Word;
 use crate::source::Span;
-use std::ops::Deref;
-use std::sync::Arc;
 
 /// Number of a name in [`super::Names`]: a name that the author chose, or a constant of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -134,45 +133,6 @@ pub struct Name {
     pub word: Option<&'static str>,
     /// Span of the word: a block's name before `{`, or the name after a `.`, as in `A.x`.
     pub span: Span,
-}
-
-/// A list of literal numbers and vectors, stored compactly.
-#[derive(Clone, Debug)]
-pub struct NumberList {
-    /// Numbers of all items of the list, one after another.
-    pub data: Numbers,
-    /// Number of components of each item of the list.
-    pub widths: Widths,
-}
-
-/// Numbers that the copies of a list share.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Numbers {
-    /// Numbers of a short list.
-    Short(Arc<[f64]>),
-    /// Numbers of a long list, such as one of a mesh, in the vector that the scanner filled. (A slice would be a copy, which takes
-    /// as much memory again.)
-    Long(Arc<Vec<f64>>),
-}
-
-impl Deref for Numbers {
-    type Target = [f64];
-
-    fn deref(&self) -> &[f64] {
-        match self {
-            Self::Short(numbers) => numbers,
-            Self::Long(numbers) => numbers,
-        }
-    }
-}
-
-/// Number of components of each item of a list; 1 is a plain number.
-#[derive(Clone, Debug)]
-pub enum Widths {
-    /// Width that all items of a number list share.
-    Uniform(u16),
-    /// Width of each item of a number list.
-    Mixed(Arc<[u16]>),
 }
 
 /// An expression of the syntax tree.

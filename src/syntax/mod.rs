@@ -9,6 +9,7 @@ pub mod fault;
 mod lex;
 pub mod lint;
 mod names;
+mod number_list;
 mod numbers;
 pub mod outline;
 pub use numbers::ItemSpans;

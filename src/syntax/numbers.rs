@@ -337,35 +337,6 @@ impl WidthsBuilder {
     }
 }
 
-impl NumberList {
-    /// Returns the number of items in the number list.
-    pub fn len(&self) -> usize {
-        match &self.widths {
-            Widths::Uniform(width) => self.data.len() / (*width).max(1) as usize,
-            Widths::Mixed(widths) => widths.len(),
-        }
-    }
-
-    /// True if the number list is empty.
-    pub fn is_empty(&self) -> bool {
-        self.data.is_empty()
-    }
-
-    /// Returns the spans of the items of a number list that has the text `list_text` and the span `list_span`.
-    pub fn item_spans(list_text: &str, list_span: Span) -> impl Iterator<Item = Span> + '_ {
-        let mut spans = ItemSpans::default();
-        (0..).map_while(move |item| spans.find(list_text, list_span, item))
-    }
-
-    /// Returns the number of components of item `i` of the list.
-    pub fn width(&self, i: usize) -> usize {
-        match &self.widths {
-            Widths::Uniform(width) => *width as usize,
-            Widths::Mixed(widths) => widths[i] as usize,
-        }
-    }
-}
-
 /// Finds the spans of a number list's items by scanning the text again. Spans are not stored, because a mesh has
 /// millions of items. Each search continues from the last item found.
 #[derive(Default)]

@@ -33,26 +33,18 @@ impl ConvexInterval {
     /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
     pub(super) fn inside_shape_if_known(leaf: &Leaf, ray: &Ray) -> Option<Self> {
-        // (Two calls, because a ray chosen before one call would be copied.)
-        match &leaf.place {
-            Some(place) => Self::inside_shape_of_local_ray(leaf, &place.inverse_transform_ray(ray)),
-            None => Self::inside_shape_of_local_ray(leaf, ray),
-        }
-    }
-
-    /// Returns where a ray in object space is inside the shape of `leaf`; see [`Self::inside_shape_if_known`].
-    #[inline(always)]
-    fn inside_shape_of_local_ray(leaf: &Leaf, local: &Ray) -> Option<Self> {
-        let (ends, around) = match leaf.shape.crossing(local) {
-            Crossing::Unknown => return None,
-            Crossing::Misses => (Self::NONE, false),
-            Crossing::Through(ends) => (ends, false),
-            Crossing::Around(ends) => (ends, true),
-            Crossing::Stays => (Self::NONE, true),
-        };
-        // (An upper bound of the direction's length, without a root.)
-        let slack = SLACK / local.dir.abs().element_sum();
-        Some(Self { ends, inverse: leaf.inverse != around, slack })
+        leaf.with_local_ray(ray, |local| {
+            let (ends, around) = match leaf.shape.crossing(local) {
+                Crossing::Unknown => return None,
+                Crossing::Misses => (Self::NONE, false),
+                Crossing::Through(ends) => (ends, false),
+                Crossing::Around(ends) => (ends, true),
+                Crossing::Stays => (Self::NONE, true),
+            };
+            // (An upper bound of the direction's length, without a root.)
+            let slack = SLACK / local.dir.abs().element_sum();
+            Some(Self { ends, inverse: leaf.inverse != around, slack })
+        })
     }
 
     /// Returns the part of the range in which the ray can be inside the part.

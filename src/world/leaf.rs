@@ -71,21 +71,19 @@ impl Leaf {
         Self { inverse, ..self }
     }
 
-    /// Returns the point at `t` of a ray, M⁻¹·ray, in object space.
-    #[inline]
-    fn object_point_at(&self, ray: &Ray, t: f64) -> DVec3 {
+    /// Returns the result of `find` for a ray in object space, M⁻¹·ray. (A function that returned the ray would copy it, and
+    /// each use would wait for the copy.)
+    #[inline(always)]
+    pub(super) fn with_local_ray<T>(&self, ray: &Ray, find: impl FnOnce(&Ray) -> T) -> T {
         match &self.place {
-            Some(m) => m.inverse_transform_ray(ray).at(t),
-            None => ray.at(t),
+            Some(m) => find(&m.inverse_transform_ray(ray)),
+            None => find(ray),
         }
     }
 
     #[inline]
     pub(super) fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        match &self.place {
-            Some(m) => self.shape.closest(&m.inverse_transform_ray(ray), range),
-            None => self.shape.closest(ray, range),
-        }
+        self.with_local_ray(ray, |local| self.shape.closest(local, range))
     }
 
     /// Stores the closest hit of a ray on the shape, as a hit on the object with this number, in `out`, and returns true;
@@ -105,26 +103,17 @@ impl Leaf {
 
     #[inline]
     pub(super) fn any(&self, ray: &Ray, range: Range) -> bool {
-        match &self.place {
-            Some(m) => self.shape.any_hit(&m.inverse_transform_ray(ray), range),
-            None => self.shape.any_hit(ray, range),
-        }
+        self.with_local_ray(ray, |local| self.shape.any_hit(local, range))
     }
 
     pub(super) fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        match &self.place {
-            Some(m) => self.shape.hits(&m.inverse_transform_ray(ray), range, out),
-            None => self.shape.hits(ray, range, out),
-        }
+        self.with_local_ray(ray, |local| self.shape.hits(local, range, out))
     }
 
     /// Appends the hits that a CSG object or a clipping solid can use, which may be fewer than all; see
     /// [`Kernel::limited_hits_for_csg`]. The caller clips them.
     pub(super) fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        match &self.place {
-            Some(m) => self.shape.limited_hits_for_csg(&m.inverse_transform_ray(ray), range, out),
-            None => self.shape.limited_hits_for_csg(ray, range, out),
-        }
+        self.with_local_ray(ray, |local| self.shape.limited_hits_for_csg(local, range, out))
     }
 
     #[inline]
@@ -249,10 +238,8 @@ impl Intersection<'_> {
 
     /// Returns the point of the surface in the space of the leaf's shape.
     fn object_point(&self, ray: &Ray) -> DVec3 {
-        match self.instance {
-            Some(instance) => self.leaf.object_point_at(&instance.local(ray), self.hit.t),
-            None => self.leaf.object_point_at(ray, self.hit.t),
-        }
+        let point = |ray: &Ray| self.leaf.with_local_ray(ray, |local| local.at(self.hit.t));
+        self.instance.map_or_else(|| point(ray), |instance| point(&instance.local(ray)))
     }
 }
 

@@ -47,19 +47,15 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs a declaration of one name as a number that the fast evaluation gives, such as `#declare A = B * 2;`. Returns
-    /// false, without any effect, for other declarations.
+    /// false, without any effect, for other declarations. (Not inlined: other directives run without this code.)
     #[inline(never)]
     pub(super) fn try_declare_number(&mut self, declare: &'a Declare) -> bool {
-        let Declare { target, others, deprecated, .. } = declare;
-        let is_simple =
-            target.keyword.is_none() && target.indices.is_empty() && others.is_empty() && deprecated.is_none();
-        let Some(x) = is_simple.then(|| self.take_number_and_semicolon()).flatten() else { return false };
-        let scopes = self.evaluator.scopes_mut();
-        match scopes.number_mut(target.symbol, declare.local) {
-            Some(number) => *number = x,
-            None if declare.local => scopes.set_local(target.symbol, Contents::Value(Value::Float(x)), vec![]),
-            None => scopes.rebind_innermost_or_add_global(target.symbol, Contents::Value(Value::Float(x)), vec![]),
+        let Declare { target, others, deprecated, local } = declare;
+        if target.keyword.is_some() || !target.indices.is_empty() || !others.is_empty() || deprecated.is_some() {
+            return false;
         }
+        let Some(number) = self.take_number_and_semicolon() else { return false };
+        self.evaluator.scopes_mut().set_number(target.symbol, number, *local);
         true
     }
 

@@ -152,12 +152,7 @@ impl<'a> Evaluator<'a> {
             return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
         };
         let next = value + step;
-        match self.scopes.number_mut(counter, false) {
-            Some(number) => *number = next,
-            None => {
-                self.scopes.rebind_innermost_or_add_global(counter, Contents::Value(Value::Float(next)), vec![]);
-            }
-        }
+        self.scopes.set_number(counter, next, false);
         Ok(is_in_loop(next, last, step))
     }
 

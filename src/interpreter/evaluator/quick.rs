@@ -170,6 +170,7 @@ impl Evaluator<'_> {
         }
     }
 
+    /// Returns the number or vector of a name; `None` if the general evaluation is needed.
     #[inline]
     fn quick_name<T: QuickValue>(&self, symbol: Symbol) -> Option<T> {
         match self.scopes.get(symbol) {

@@ -289,18 +289,21 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// Returns the number that is bound to a name, for an assignment in place; `None` if the name's innermost binding is
-    /// something else or an alias. With `is_local`, the binding must be at the innermost level.
+    /// Binds a name to a number, as [`Self::set_local`] does if `is_local` is true, and
+    /// [`Self::rebind_innermost_or_add_global`] otherwise. (Loops mostly change numbers, in place.)
     #[inline]
-    pub fn number_mut(&mut self, symbol: Symbol, is_local: bool) -> Option<&mut f64> {
+    pub fn set_number(&mut self, symbol: Symbol, number: f64, is_local: bool) {
         let level = self.level();
-        match self.bindings.get_mut(symbol.0 as usize)?.last_mut()? {
-            Binding { level: own, contents: Contents::Value(Value::Float(number)), first_use_warnings: None }
+        let innermost = self.bindings.get_mut(symbol.0 as usize).and_then(|stack| stack.last_mut());
+        let contents = Contents::Value(Value::Float(number));
+        match innermost {
+            Some(Binding { level: own, contents: Contents::Value(Value::Float(old)), first_use_warnings: None })
                 if !is_local || *own == level =>
             {
-                Some(number)
+                *old = number;
             }
-            _ => None,
+            _ if is_local => self.set_local(symbol, contents, vec![]),
+            _ => self.rebind_innermost_or_add_global(symbol, contents, vec![]),
         }
     }
 

@@ -48,10 +48,11 @@ impl Bvh {
         fits_in_one_pack: impl Fn(&[u32]) -> bool + Sync,
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let is_pack = |items: &[Prim]| {
-            items.len() <= LARGEST && {
-                let numbers: SmallVec<[u32; LARGEST]> = items.iter().map(Prim::index).collect();
-                fits_in_one_pack(&numbers)
+            if items.len() > LARGEST {
+                return false;
             }
+            let numbers: SmallVec<[u32; LARGEST]> = items.iter().map(Prim::index).collect();
+            fits_in_one_pack(&numbers)
         };
         let prims = fork::map(count, PRIMS_FOR_A_THREAD, |i| {
             let [lower, upper] = box_corners(i as u32);

@@ -194,10 +194,10 @@ pub(super) mod avx2 {
     }
 }
 
-/// Different corners of a pack's triangles.
+/// Corners of a pack's triangles, each position once.
 #[derive(Default)]
 struct Corners {
-    /// A vertex at each corner; others can be at the same position.
+    /// Number of a vertex at each corner; vertices with other numbers can be at the same position.
     vertices: [u32; MANY],
     positions: [Vec3; MANY],
     count: usize,

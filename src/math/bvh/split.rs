@@ -30,7 +30,7 @@ pub(super) fn split_boxes(prims: &mut [Prim], around: &Around, force_halving: bo
 pub(super) struct Prim {
     /// Lower corner of the box; the bits of `w` are the index of the box.
     lower: Vec4,
-    /// Upper corner of the box; `w` is 1, so that the sum with the other `w` is an ordinary number.
+    /// Upper corner of the box; `w` is 1, so that no sum with the other `w` is subnormal, which some processors add slowly.
     upper: Vec4,
 }
 
@@ -70,8 +70,10 @@ impl Prim {
 /// Bounds of some boxes, and of their centres, during the construction of a BVH.
 #[derive(Clone, Copy)]
 pub(super) struct Around {
+    /// Lower and upper corner of a box around the boxes.
     pub lo: Vec3A,
     pub hi: Vec3A,
+    /// Lower and upper corner of a box around the boxes' doubled centres.
     first: Vec3A,
     last: Vec3A,
 }
@@ -102,6 +104,7 @@ impl Around {
     }
 }
 
+/// Returns half of the surface of a box with these corners; 0 for an empty box.
 #[inline]
 pub(super) fn half_surface_area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
@@ -170,7 +173,7 @@ impl Cut {
 /// handles infinite numbers and NaN, which takes longer.)
 #[inline(always)]
 fn rounded_below_16(numbers: Vec3A) -> [usize; 3] {
-    // The least significant bit of a number from 2²³ to 2²⁴ is 1; the last bits of this one are 0.
+    // The last bit of a number from 2²³ to 2²⁴ is worth 1, and the last bits of 3·2²² are 0.
     let shifted = numbers + Vec3A::splat((3 << 22) as f32);
     shifted.to_array().map(|x| (x.to_bits() & 15) as usize)
 }

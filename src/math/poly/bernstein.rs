@@ -69,24 +69,14 @@ fn sign_changes(b: &[f64]) -> usize {
 /// is the degree, at least 2.
 #[inline(always)]
 fn quadratic_at<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> [f64; 3] {
-    // (Cubics and quartics are the most frequent. Their coefficients stay in registers; those of a loop are in memory.)
-    let mix = |i: usize| b[i] + (b[i + 1] - b[i]) * t;
-    match N {
-        4 => [mix(0), mix(1), mix(2)],
-        5 => {
-            let [b0, b1, b2, b3] = [mix(0), mix(1), mix(2), mix(3)];
-            [b0 + (b1 - b0) * t, b1 + (b2 - b1) * t, b2 + (b3 - b2) * t]
-        }
-        _ => {
-            let mut b = *b;
-            for last in (2..degree).rev() {
-                for i in 0..=last {
-                    b[i] += (b[i + 1] - b[i]) * t;
-                }
-            }
-            [b[0], b[1], b[2]]
+    let mut b = *b;
+    // (Here and below without `..=`, whose loops the compiler does not unroll.)
+    for last in (2..degree).rev() {
+        for i in 0..last + 1 {
+            b[i] += (b[i + 1] - b[i]) * t;
         }
     }
+    [b[0], b[1], b[2]]
 }
 
 /// Returns the value of a Bernstein polynomial, of degree 2 or more, at t.
@@ -165,7 +155,6 @@ fn split_in_half<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64
 /// Returns the Bernstein coefficients on the interval from t0 to t1.
 #[inline(always)]
 fn restrict_to_interval<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
-    // (Without `..=`, whose loops the compiler does not unroll.)
     if t0 > 0.0 {
         for last in (0..degree).rev() {
             for i in 0..last + 1 {
@@ -396,7 +385,6 @@ fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, value_at_one: f6
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
         *a *= inverse;
     }
-    // (Without `..=`, whose loops the compiler does not unroll.)
     for k in 1..degree + 1 {
         for j in (k..degree + 1).rev() {
             a[j] += a[j - 1];

@@ -72,7 +72,7 @@ impl Modifiers {
     pub fn apply_to_number(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
-        let shifted = if frequency == 0.0 { shifted } else { signed_remainder_by_period(shifted) };
+        let shifted = if frequency == 0.0 { shifted } else { fp::remainder(shifted, PERIOD) };
         let v = if shifted < 0.0 { fp::fraction_above_floor(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
@@ -101,25 +101,6 @@ impl Modifiers {
     }
 }
 
-/// Returns `x % PERIOD`, by subtractions that are exact too, as long as they are few.
-fn signed_remainder_by_period(x: f64) -> f64 {
-    let mut rest = x.abs();
-    if rest < PERIOD {
-        return x;
-    }
-    if rest >= 16.0 * PERIOD {
-        return fp::remainder(x, PERIOD);
-    }
-    // A difference is exact if neither number is more than twice the other (Sterbenz, Floating-point computation,
-    // 1974).
-    for periods in [8.0, 4.0, 2.0, 1.0] {
-        if rest >= periods * PERIOD {
-            rest -= periods * PERIOD;
-        }
-    }
-    rest.copysign(x)
-}
-
 fn to_single_precision(x: f64) -> f64 {
     f64::from(x as f32)
 }
@@ -132,10 +113,10 @@ mod tests {
     fn wrapping_is_a_remainder() {
         for i in 0..4000 {
             let x = f64::from(i) * 0.010_001 - 20.0;
-            assert_eq!(signed_remainder_by_period(x), x % PERIOD, "{x}");
+            assert_eq!(fp::remainder(x, PERIOD), x % PERIOD, "{x}");
             let near = f64::from(i - 2000) * PERIOD;
             for x in [near, near.next_up(), near.next_down()] {
-                assert_eq!(signed_remainder_by_period(x), x % PERIOD, "{x}");
+                assert_eq!(fp::remainder(x, PERIOD), x % PERIOD, "{x}");
             }
         }
     }

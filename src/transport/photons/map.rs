@@ -361,7 +361,7 @@ impl Search<'_> {
                 let middle = part.from + (part.to - part.from) / 2;
                 let Division { at, axis, .. } = self.map.divisions[middle as usize];
                 let beyond = self.p[axis as usize] - at;
-                // (Changed in place: a copy of what was just changed would wait for the change.)
+                // (Changed where it stays, because a copy could begin only after all changes are stored.)
                 let far = &mut pending[n_pending];
                 *far = part;
                 far.axis_distances[axis as usize] = beyond;
