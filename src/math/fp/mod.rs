@@ -18,7 +18,7 @@ pub use pow::{pow, pow_f32, quick_pow};
 pub use remainder::remainder;
 pub use sines::sines;
 
-/// Sine of an angle in radians; see [`sines`] for several.
+/// Sine of an angle in radians; `sines` computes several at once.
 #[inline]
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)
