@@ -75,6 +75,11 @@ impl LoweredLight {
         self.parallel
     }
 
+    /// True if the light shines from one point with the same strength in all directions and at all distances.
+    pub fn is_even_point(&self) -> bool {
+        matches!(self.profile, Profile::Round) && !self.parallel && self.area.is_none() && self.fade.is_none()
+    }
+
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
         let (to_light, distance) = self.direction_and_distance(p, offset);

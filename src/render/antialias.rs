@@ -4,13 +4,14 @@
 use super::blocks::{BLOCK, Blocks};
 use super::corners::Corners;
 use super::pixel_area::{Pixel, PixelArea};
-use super::sampler::Sampler;
+use super::sampler::{SamplePoint, Sampler};
 use super::{Options, Region, SampleLayout, Sampling, blur, lattice};
 use crate::camera::Lens;
 use crate::color::Gamma;
 use crate::math::fp;
-use crate::transport::Radiance;
+use crate::transport::{Radiance, Random};
 use crate::world::World;
+use glam::{Vec3A, Vec4};
 
 /// Method that turns samples into the pixels of a picture.
 pub(super) struct Method {
@@ -67,15 +68,26 @@ impl Method {
         }
     }
 
-    /// Returns the sample of the first pass at a pixel or corner.
-    pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
+    /// Returns the point of the first pass's sample at a pixel or corner.
+    fn first_point(&self, random: &Random, x: usize, y: usize) -> SamplePoint {
         match self.kind {
-            MethodKind::Adaptive(SampleLayout::Corners) => return self.corners().sample(sampler, [x, y], [0, 0]),
-            MethodKind::Adaptive(SampleLayout::Grid) => return self.blocks().first_sample(sampler, x, y),
-            _ => {}
+            MethodKind::Adaptive(SampleLayout::Corners) => self.corners().point(random, [x, y], [0, 0]),
+            MethodKind::Adaptive(SampleLayout::Grid) => self.blocks().first_point(x, y),
+            _ => {
+                let (x_pixels, y_pixels) = (x as f64 + 0.5, y as f64 + 0.5);
+                SamplePoint { x_pixels, y_pixels, pixel: self.pixel_key(x, y), sample: 0 }
+            }
         }
-        sampler.begin_sample(self.pixel_key(x, y), 0);
-        rgb_and_transparency(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
+    }
+
+    /// Takes the samples of the first pass in an area, row by row. They are incomplete if the render is cancelled.
+    pub fn first_samples(&self, sampler: &mut Sampler, area: Region) -> Vec<Pixel> {
+        let mut samples = vec![[0.0; 4]; area.n_pixels()];
+        let random = *sampler.random();
+        let row = |y: usize| (area.x..area.x + area.width).map(move |x| (x, y));
+        let points = (area.y..area.y + area.height).flat_map(row).map(|(x, y)| self.first_point(&random, x, y));
+        sampler.samples_at(points, |i, sample| samples[i] = sample);
+        samples
     }
 
     /// Returns the edge of the blocks that the final pass computes together; `None` without blocks. A block needs all
@@ -90,6 +102,9 @@ impl Method {
         if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
             return self.blocks().tile_pixels(sampler, first_samples, area).into_iter().map(without_nan).collect();
         }
+        if let MethodKind::Single = self.kind {
+            return self.first_samples(sampler, area).into_iter().map(without_nan).collect();
+        }
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
             pixels.extend((area.x..area.x + area.width).map(|x| self.final_pixel(sampler, first_samples, x, y)));
@@ -102,14 +117,13 @@ impl Method {
 
     fn final_pixel(&self, sampler: &mut Sampler, first_samples: &PixelArea, x: usize, y: usize) -> Pixel {
         without_nan(match &self.kind {
-            MethodKind::Single => self.first_sample(sampler, x, y),
             MethodKind::Blurred(lens) => blur::pixel(sampler, lens, self.pixel_key(x, y), x, y),
             MethodKind::Adaptive(SampleLayout::Corners) => self.corners().pixel(sampler, first_samples, x, y),
             MethodKind::Adaptive(_) if self.differs_from_neighbours(first_samples, x, y) => {
                 let middle = first_samples.at(x, y);
                 lattice::pixel(sampler, &self.difference, self.pixel_key(x, y), [x, y], middle)
             }
-            MethodKind::Adaptive(_) => *first_samples.at(x, y),
+            MethodKind::Adaptive(_) | MethodKind::Single => *first_samples.at(x, y),
         })
     }
 
@@ -156,6 +170,8 @@ pub(super) struct Difference {
 
 /// Start of the first half octave with known slopes of the gamma curve.
 const DARK: f32 = 1.0 / 4096.0;
+/// Factor, above 1, by which the rounding of a sum of three numbers in single precision is outweighed.
+const ROUNDING_RESERVE: f64 = 1.0 + 1e-6;
 /// Number of half octaves from [`DARK`] to 16.
 const HALF_OCTAVES: usize = 32;
 
@@ -226,9 +242,10 @@ impl Difference {
     /// values.
     #[inline]
     fn rough_bound_of_distance(&self, a: &Pixel, b: &Pixel) -> f64 {
-        let least = (0..3).map(|c| a[c].min(b[c])).fold(f32::INFINITY, f32::min);
+        let [a, b] = [a, b].map(|pixel| Vec3A::from_vec4(Vec4::from_array(*pixel)));
+        let least = a.min(b).min_element();
         let Some(last) = self.slopes.len().checked_sub(1).filter(|_| least >= DARK) else { return f64::INFINITY };
-        let difference: f64 = (0..3).map(|c| (f64::from(a[c]) - f64::from(b[c])).abs()).sum();
+        let difference = f64::from((a - b).abs().element_sum()) * ROUNDING_RESERVE;
         self.slopes[half_octaves_above_dark(least).min(last)] * difference
     }
 

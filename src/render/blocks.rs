@@ -6,9 +6,9 @@
 //! Coordinates of first samples are shifted: the first sample at (x + 1, y + 1) is the pixel (x, y).
 
 use super::Region;
-use super::antialias::{Difference, rgb_and_transparency};
+use super::antialias::Difference;
 use super::pixel_area::{Pixel, PixelArea};
-use super::sampler::Sampler;
+use super::sampler::{SamplePoint, Sampler};
 use crate::transport::Purpose;
 
 /// Edge of a block in pixels.
@@ -34,10 +34,10 @@ impl Blocks<'_> {
         Region { x: start[0], y: start[1], width, height }
     }
 
-    /// Takes the sample of the first pass at (x, y), which is the pixel (x - 1, y - 1).
-    pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
-        sampler.begin_sample(self.pixel_key(x, y), 0);
-        rgb_and_transparency(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
+    /// Returns the point of the first pass's sample at (x, y), which is the pixel (x - 1, y - 1).
+    pub fn first_point(&self, x: usize, y: usize) -> SamplePoint {
+        let (x_pixels, y_pixels) = (x as f64 - 0.5, y as f64 - 0.5);
+        SamplePoint { x_pixels, y_pixels, pixel: self.pixel_key(x, y), sample: 0 }
     }
 
     /// Computes the pixels of a part of one block.
@@ -101,16 +101,20 @@ impl Blocks<'_> {
     /// Returns the mean of one sample in each cell of a grid, at a random position in the cell, and of the first sample.
     fn resample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], middle: &Pixel) -> Pixel {
         let Self { depth, jitter, .. } = *self;
-        let mut sum = middle.map(f64::from);
-        for cell in 0..depth * depth {
-            sampler.begin_sample(self.pixel_key(x, y), u64::from(cell) + 1);
-            let random = sampler.random(Purpose::PixelPosition);
+        let pixel = self.pixel_key(x, y);
+        let random = *sampler.random();
+        let point = |cell: u32| {
+            let sample = u64::from(cell) + 1;
+            let random = random.first_sequence(pixel, sample, Purpose::PixelPosition);
             let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
             let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);
             let dy = (f64::from(cell / depth) + off(1)) / f64::from(depth);
-            let sample = rgb_and_transparency(&sampler.sample(x as f64 - 1.0 + dx, y as f64 - 1.0 + dy));
+            SamplePoint { x_pixels: x as f64 - 1.0 + dx, y_pixels: y as f64 - 1.0 + dy, pixel, sample }
+        };
+        let mut sum = middle.map(f64::from);
+        sampler.samples_at((0..depth * depth).map(point), |_, sample| {
             sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
-        }
+        });
         sum.map(|c| (c / f64::from(depth * depth + 1)) as f32)
     }
 

@@ -1,10 +1,10 @@
 //! POV-Ray's second sampling method: a pixel is the mean of its corners, and is subdivided where the corners differ
 //! (manual, "Anti-Aliasing Options"). The depth counts the pixel itself (quirk: `antialias_depth`).
 
-use super::antialias::{Difference, rgb_and_transparency};
+use super::antialias::Difference;
 use super::pixel_area::{Pixel, PixelArea};
-use super::sampler::Sampler;
-use crate::transport::Purpose;
+use super::sampler::{SamplePoint, Sampler};
+use crate::transport::{Purpose, Random};
 use rustc_hash::FxHashMap;
 
 /// Settings of the sampling method with corners.
@@ -35,19 +35,19 @@ impl Corners<'_> {
         1 << (self.depth - 1)
     }
 
-    /// Takes the sample at a position, in smallest pieces from the pixel's top left corner. Pixels that share the
-    /// position get the same sample.
-    pub fn sample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], [pieces_right, pieces_down]: [u32; 2]) -> Pixel {
+    /// Returns the point at a position, in smallest pieces from the pixel's top left corner. Pixels that share the position get
+    /// the same sample.
+    pub fn point(&self, random: &Random, [x, y]: [usize; 2], [pieces_right, pieces_down]: [u32; 2]) -> SamplePoint {
         let pieces = self.pieces_per_edge();
         let (x, y) = (x + (pieces_right / pieces) as usize, y + (pieces_down / pieces) as usize);
         let (pieces_right, pieces_down) = (pieces_right % pieces, pieces_down % pieces);
         // (There is one corner more than pixels in a row.)
-        let number = y as u64 * (self.width as u64 + 1) + x as u64;
-        sampler.begin_sample(number, u64::from(pieces_down) << 32 | u64::from(pieces_right));
-        let random = sampler.random(Purpose::PixelPosition);
+        let pixel = y as u64 * (self.width as u64 + 1) + x as u64;
+        let sample = u64::from(pieces_down) << 32 | u64::from(pieces_right);
+        let random = random.first_sequence(pixel, sample, Purpose::PixelPosition);
         let off = |i| if self.jitter == 0.0 { 0.0 } else { (random.at(i) - 0.5) * self.jitter };
         let at = |corner: usize, piece: u32, i| corner as f64 + (f64::from(piece) + off(i)) / f64::from(pieces);
-        rgb_and_transparency(&sampler.sample(at(x, pieces_right, 0), at(y, pieces_down, 1)))
+        SamplePoint { x_pixels: at(x, pieces_right, 0), y_pixels: at(y, pieces_down, 1), pixel, sample }
     }
 
     /// Computes a pixel from the samples at its corners.
@@ -70,7 +70,8 @@ impl Subdivision<'_, '_, '_, '_> {
         if let Some(known) = self.between.get(&[pieces_right, pieces_down]) {
             return *known;
         }
-        let sample = self.corners.sample(self.sampler, [self.x, self.y], [pieces_right, pieces_down]);
+        let point = self.corners.point(self.sampler.random(), [self.x, self.y], [pieces_right, pieces_down]);
+        let sample = self.sampler.sample_at(&point);
         self.between.insert([pieces_right, pieces_down], sample);
         sample
     }

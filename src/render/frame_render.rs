@@ -55,7 +55,7 @@ impl FrameRender<'_> {
         let mut sampler = Sampler::new(self.context, self.camera, &is_cancelled);
         let pixels = match tile.pass {
             FINAL_PASS => self.method.tile_pixels(&mut sampler, first_samples, tile.area),
-            _ => self.first_pass_tile(&mut sampler, &tile.area),
+            _ => self.method.first_samples(&mut sampler, tile.area),
         };
         // A search that the token has ended returned any result.
         if sampler.is_stopped() || self.workers.is_cancelled() {
@@ -63,17 +63,6 @@ impl FrameRender<'_> {
         } else {
             Ok((pixels, *sampler.counts()))
         }
-    }
-
-    fn first_pass_tile(&self, sampler: &mut Sampler, area: &Region) -> Vec<Pixel> {
-        let mut pixels = Vec::with_capacity(area.n_pixels());
-        for y in area.y..area.y + area.height {
-            pixels.extend((area.x..area.x + area.width).map(|x| self.method.first_sample(sampler, x, y)));
-            if sampler.is_stopped() {
-                break;
-            }
-        }
-        pixels
     }
 
     /// Returns the number of pixels that both passes of the render compute together, for the display of progress.

@@ -5,9 +5,9 @@
 //! rotated by 18° and 63°, so horizontal and vertical edges have ten and five levels. The pixel's centre, whose sample
 //! is known, is one of the points. Random bits transpose and mirror the lattice of each pixel.
 
-use super::antialias::{Difference, rgb_and_transparency};
+use super::antialias::Difference;
 use super::pixel_area::Pixel;
-use super::sampler::Sampler;
+use super::sampler::{SamplePoint, Sampler};
 use crate::transport::Purpose;
 
 /// Number of samples of a pixel that differs from a neighbour, the centre included.
@@ -34,16 +34,22 @@ pub(super) fn pixel(
     [x, y]: [usize; 2],
     middle: &Pixel,
 ) -> Pixel {
-    sampler.begin_sample(pixel_key, 0);
-    let symmetry = (sampler.pixel_random(Purpose::PixelPosition).at(0) * 8.0) as u32;
-    let (mut sum, mut differ, mut count) = (middle.map(f64::from), false, 1);
-    while count < FIRST_SAMPLES || differ && count < ALL_SAMPLES {
-        let [right, down] = lattice_point(count, symmetry);
-        sampler.begin_sample(pixel_key, u64::from(count));
-        let sample = rgb_and_transparency(&sampler.sample(x as f64 + right, y as f64 + down));
-        sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
-        differ |= count < FIRST_SAMPLES && difference.reaches_threshold_times(&sample, middle, LARGE_DIFFERENCE);
-        count += 1;
+    let symmetry = (sampler.random().pixel_sequence(pixel_key, Purpose::PixelPosition).at(0) * 8.0) as u32;
+    let point = |number: u32| {
+        let [right, down] = lattice_point(number, symmetry);
+        let (x_pixels, y_pixels) = (x as f64 + right, y as f64 + down);
+        SamplePoint { x_pixels, y_pixels, pixel: pixel_key, sample: u64::from(number) }
+    };
+    let (mut sum, mut differ, mut count) = (middle.map(f64::from), false, FIRST_SAMPLES);
+    let add =
+        |sum: &mut [f64; 4], sample: &Pixel| sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(*c));
+    sampler.samples_at((1..FIRST_SAMPLES).map(point), |_, sample| {
+        add(&mut sum, &sample);
+        differ |= difference.reaches_threshold_times(&sample, middle, LARGE_DIFFERENCE);
+    });
+    if differ {
+        sampler.samples_at((FIRST_SAMPLES..ALL_SAMPLES).map(point), |_, sample| add(&mut sum, &sample));
+        count = ALL_SAMPLES;
     }
     sum.map(|c| (c / f64::from(count)) as f32)
 }

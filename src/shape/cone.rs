@@ -76,6 +76,26 @@ mod tests {
     use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     #[test]
+    fn packets_match_single_rays() {
+        for (radius, open) in [(0.0, false), (0.2, false), (0.9, true), (-0.5, false)] {
+            crate::shape::testing::assert_packets_match_single_rays(&Cone::new(
+                DVec3::new(0.1, -0.8, 0.0),
+                0.8,
+                DVec3::new(-0.3, 0.7, 0.5),
+                radius,
+                open,
+            ));
+            crate::shape::testing::assert_packets_match_single_rays(&Cone::new(
+                DVec3::NEG_Y,
+                0.8,
+                DVec3::Y,
+                radius,
+                open,
+            ));
+        }
+    }
+
+    #[test]
     fn cone_with_tip() {
         // The radius is (1 - y)/2.
         let cone = Cone::new(-DVec3::Y, 1.0, DVec3::Y, 0.0, false);

@@ -7,9 +7,10 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, HalfSpaces, Hit, Hits, Kernel, Shape, check_finite, transformed_box};
+use super::{Crossing, End, HUGE, HalfSpaces, Hit, Hits, Kernel, PacketHits, Shape, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::math::packet::{Numbers, PACKET, RayPacket};
+use crate::math::{Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
@@ -93,6 +94,8 @@ impl Readable for Cuboid {
 }
 
 impl Kernel for Cuboid {
+    const TRACES_PACKETS: bool = true;
+
     fn bounds(&self) -> Aabb {
         Aabb { min: self.min, max: self.max }
     }
@@ -115,6 +118,26 @@ impl Kernel for Cuboid {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         self.entry_and_exit(ray)?.into_iter().find(|end| range.contains(end.t)).map(Hit::from)
+    }
+
+    #[inline(always)]
+    fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        // The operations of `entry_and_exit`, in the same order
+        let (mut near, mut far) = (Lanes::splat(f64::NEG_INFINITY), Lanes::splat(f64::INFINITY));
+        let (mut entered, mut left) = ([0; PACKET], [0; PACKET]);
+        for (axis, (o, v)) in rays.origin.axes().into_iter().zip(rays.dir.axes()).enumerate() {
+            let (lo, hi) = ((Lanes::splat(self.min[axis]) - o) / v, (Lanes::splat(self.max[axis]) - o) / v);
+            let is_reversed = v.has_negative_sign();
+            let (enter, leave) = (is_reversed.select(hi, lo), is_reversed.select(lo, hi));
+            let (is_later, is_earlier) = (near.less_than(enter), leave.less_than(far));
+            (near, far) = (is_later.select(enter, near), is_earlier.select(leave, far));
+            let [lower, upper] = [0, 1].map(|side| [axis as u32 * 2 + side; PACKET]);
+            entered = is_later.select_u32(is_reversed.select_u32(upper, lower), entered);
+            left = is_earlier.select_u32(is_reversed.select_u32(lower, upper), left);
+        }
+        let infinity = Lanes::splat(f64::INFINITY);
+        let crosses = near.at_most(far) & near.less_than(infinity) & (-infinity).less_than(far);
+        PacketHits::first_in_range(crosses, [near, far], [entered, left], min, max)
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -160,6 +183,13 @@ mod tests {
 
     fn unit() -> Cuboid {
         Cuboid::new(DVec3::ONE, DVec3::NEG_ONE)
+    }
+
+    #[test]
+    fn packets_match_single_rays() {
+        for corner in [DVec3::ONE, DVec3::new(0.7, 0.9, 0.0), DVec3::new(f64::INFINITY, 0.5, 0.5)] {
+            crate::shape::testing::assert_packets_match_single_rays(&Cuboid::new(corner, DVec3::new(-0.6, -0.5, 0.0)));
+        }
     }
 
     #[test]

@@ -74,6 +74,19 @@ mod tests {
     }
 
     #[test]
+    fn packets_match_single_rays() {
+        for open in [false, true] {
+            crate::shape::testing::assert_packets_match_single_rays(&Cylinder::new(
+                DVec3::new(0.1, -0.8, 0.0),
+                DVec3::new(-0.3, 0.7, 0.5),
+                0.6,
+                open,
+            ));
+            crate::shape::testing::assert_packets_match_single_rays(&Cylinder::new(DVec3::NEG_Y, DVec3::Y, 0.6, open));
+        }
+    }
+
+    #[test]
     fn across_and_along() {
         let ray = Ray::new(DVec3::new(-3.0, 1.0, 0.6), DVec3::X * 2.0);
         assert_hits(&all_hits(&bar(false), &ray), &[(1.1, WALL), (1.9, WALL)]);

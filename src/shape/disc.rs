@@ -6,9 +6,10 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{HalfSpaces, Hit, Hits, Kernel, check_finite, pov_bounds};
+use super::{HalfSpaces, Hit, Hits, Kernel, PacketHits, check_finite, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
+use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors};
+use crate::math::{Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform, fp};
 use crate::source::Span;
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
@@ -74,6 +75,8 @@ impl Readable for Disc {
 }
 
 impl Kernel for Disc {
+    const TRACES_PACKETS: bool = true;
+
     fn bounds(&self) -> Aabb {
         if self.is_empty() {
             return Aabb::EMPTY;
@@ -108,6 +111,20 @@ impl Kernel for Disc {
         (on_it && range.contains(t)).then(|| Hit::on_single_piece(t))
     }
 
+    #[inline(always)]
+    fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        // The operations of `closest`, in the same order
+        let (normal, center) = (Vectors::splat(self.normal), Vectors::splat(self.center));
+        let t = normal.dot(center - rays.origin) / normal.dot(rays.dir);
+        let across = (rays.at(t) - center).length_squared();
+        let is_on_it = across.at_most(Lanes::splat(self.radius * self.radius))
+            & Lanes::splat(self.hole * self.hole).at_most(across)
+            & Lanes::splat(min).less_than(t)
+            & t.less_than(*max);
+        let is_hit = if self.is_empty() { Flags::NONE } else { is_on_it };
+        PacketHits { is_hit, t, part: [0; PACKET] }
+    }
+
     fn inside(&self, p: DVec3) -> bool {
         self.normal.dot(p - self.center) < 0.0
     }
@@ -134,6 +151,18 @@ impl Kernel for Disc {
 mod tests {
     use super::*;
     use crate::shape::testing::{all_hits, assert_hits, read_shape};
+
+    #[test]
+    fn packets_match_single_rays() {
+        for normal in [DVec3::Z, DVec3::new(0.3, 1.0, -0.5)] {
+            crate::shape::testing::assert_packets_match_single_rays(&Disc::new(
+                DVec3::new(0.0, 0.1, -0.2),
+                normal,
+                1.2,
+                0.3,
+            ));
+        }
+    }
 
     #[test]
     fn ring() {

@@ -43,7 +43,8 @@ pub use julia_fractal::{Algebra, Function, JuliaFractal};
 #[cfg(test)]
 use kernel::testing;
 pub use kernel::{
-    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Quirks, TextureWeights, transformed_box,
+    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, PacketHits, Quirks, TextureWeights,
+    transformed_box,
 };
 use kernel::{nearest_hit, pov_bounds};
 pub use lathe::Lathe;
@@ -68,6 +69,7 @@ use shared::{formula, frustum, spline, turned};
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::image_io::Picture;
+use crate::math::packet::{Numbers, PACKET, RayPacket, Vectors};
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
 use crate::mesh_io::MeshMaterial;
 use crate::source::Span;
@@ -124,6 +126,9 @@ delegate! {
         fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
         fn limited_hits_for_csg(&self, ray: &Ray, range: Range, out: &mut Hits);
         fn closest(&self, ray: &Ray, range: Range) -> Option<Hit>;
+        #[inline(always)]
+        fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits;
+        fn traces_packets(&self) -> bool;
         fn any_hit(&self, ray: &Ray, range: Range) -> bool;
         fn inside(&self, p: DVec3) -> bool;
         fn as_half_space(&self) -> Option<HalfSpace>;
@@ -135,6 +140,8 @@ delegate! {
         fn computes_crossings(&self) -> bool;
         fn crossing(&self, ray: &Ray) -> Crossing;
         fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
+        #[inline(always)]
+        fn normals_of_packet(&self, points: &Vectors, hits: &[Hit; PACKET], lanes: u32) -> Vectors;
         fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
         fn mesh_faces(&self) -> Vec<Face>;
         fn has_uv_mapping(&self) -> bool;

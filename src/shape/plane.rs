@@ -8,9 +8,10 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, check_finite};
+use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, PacketHits, Quirks, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
+use crate::math::packet::{Numbers, PACKET, RayPacket, Vectors};
+use crate::math::{Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Next, Param, Readable, Reader, ReaderExt, Spec, ValueKind};
@@ -153,6 +154,7 @@ fn read_point_form_or_degenerate(start: Span, r: &mut dyn Reader) -> Result<Opti
 
 impl Kernel for Plane {
     const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
+    const TRACES_PACKETS: bool = true;
 
     fn bounds(&self) -> Aabb {
         // A plane perpendicular to an axis is a half-space with one finite side.
@@ -185,6 +187,15 @@ impl Kernel for Plane {
         (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::on_single_piece(t))
     }
 
+    #[inline(always)]
+    fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        let normal = Vectors::splat(self.normal);
+        let t = (Lanes::splat(self.distance) - normal.dot(rays.origin)) / normal.dot(rays.dir);
+        let is_hit =
+            Lanes::splat(min).less_than(t) & t.less_than(*max) & t.at_most(Lanes::splat(tolerance::PLANE_ENDS));
+        PacketHits { is_hit, t, part: [0; PACKET] }
+    }
+
     fn inside(&self, p: DVec3) -> bool {
         self.normal.dot(p) - self.distance < tolerance::INSIDE
     }
@@ -209,6 +220,11 @@ impl Kernel for Plane {
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
         self.normal
+    }
+
+    #[inline(always)]
+    fn normals_of_packet(&self, _: &Vectors, _: &[Hit; PACKET], _: u32) -> Vectors {
+        Vectors::splat(self.normal)
     }
 
     /// Surface coordinates of a plane: the lecture's (u, v), or coordinates along two directions of the plane. POV-Ray
@@ -236,6 +252,13 @@ mod tests {
 
     fn t(plane: &Plane, ray: &Ray) -> Option<f64> {
         plane.closest(ray, Range::FORWARD).map(|h| h.t)
+    }
+
+    #[test]
+    fn packets_match_single_rays() {
+        for normal in [DVec3::Y, DVec3::new(1.0, 2.0, -0.5)] {
+            crate::shape::testing::assert_packets_match_single_rays(&Plane::new(normal, 0.1).unwrap());
+        }
     }
 
     #[test]

@@ -7,9 +7,13 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, check_finite, transformed_box};
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, PacketHits, Quirks, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, solve_quadratic_with_discriminant};
+use crate::math::packet::{Numbers, RayPacket, Vectors};
+use crate::math::{
+    Aabb, DMat3, DVec3, Lanes, Quadratic, Range, Ray, Transform, quadratic_roots_of_lanes,
+    solve_quadratic_with_discriminant,
+};
 use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
@@ -156,6 +160,7 @@ impl Readable for Quadric {
 
 impl Kernel for Quadric {
     const QUIRKS: Quirks = Quirks { keeps_texture_sides: true, ..Quirks::NONE };
+    const TRACES_PACKETS: bool = true;
 
     fn bounds(&self) -> Aabb {
         self.centered.ends.unwrap_or(Aabb::INFINITE)
@@ -180,6 +185,30 @@ impl Kernel for Quadric {
         let (t1, t2) = self.ray_roots(ray)?;
         let counts = |t: &f64| range.contains(*t) && t.is_finite();
         Some(t1).filter(counts).into_iter().chain(Some(t2).filter(counts)).reduce(f64::min).map(Hit::on_single_piece)
+    }
+
+    #[inline(always)]
+    fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        // The operations of `curvature_and_roots`, in the same order
+        let Centered { q, h, c, center, .. } = &self.centered;
+        let from = rays.origin - Vectors::splat(*center);
+        let shift = -from.dot(rays.dir) / rays.dir.length_squared();
+        let o = from + rays.dir * shift;
+        let qv = rays.dir.multiplied_by(q);
+        let value = o.dot(o.multiplied_by(q) + Vectors::splat(2.0 * *h)) + *c;
+        let (a, half_b) = (qv.dot(rays.dir), qv.dot(o) + Vectors::splat(*h).dot(rays.dir));
+        let discriminant = half_b * half_b - a * value;
+        let zero = Lanes::splat(0.0);
+        let has_roots = !discriminant.less_than(zero) & !(a.equals(zero) & half_b.equals(zero));
+        if !has_roots.any() {
+            return PacketHits::NONE;
+        }
+        let mut hits = PacketHits { t: *max, ..PacketHits::NONE };
+        for t in quadratic_roots_of_lanes(a, half_b, value, discriminant) {
+            let t = t + shift;
+            hits.keep_if_closer(has_roots & t.is_finite(), t, 0, min);
+        }
+        hits
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -240,6 +269,20 @@ mod tests {
 
     fn made(text: &str) -> Quadric {
         read_shape::<Quadric>(text).0.unwrap()
+    }
+
+    #[test]
+    fn packets_match_single_rays() {
+        let linear = DVec3::new(0.1, -0.3, 0.2);
+        for squares in [DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, -1.0, 2.0), DVec3::new(1.0, 0.0, 1.0), DVec3::ZERO] {
+            crate::shape::testing::assert_packets_match_single_rays(&Quadric::new(squares, DVec3::ZERO, linear, -0.4));
+            crate::shape::testing::assert_packets_match_single_rays(&Quadric::new(
+                squares,
+                DVec3::new(0.2, -0.4, 0.1),
+                linear,
+                -0.4,
+            ));
+        }
     }
 
     #[test]

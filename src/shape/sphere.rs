@@ -4,9 +4,12 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, check_finite, transformed_box};
+use super::{Crossing, End, Hit, Hits, Kernel, PacketHits, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant};
+use crate::math::packet::{Numbers, PACKET, RayPacket, Vectors};
+use crate::math::{
+    Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform, fp, quadratic_roots_of_lanes, solve_quadratic_with_discriminant,
+};
 use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
@@ -48,6 +51,8 @@ impl Readable for Sphere {
 }
 
 impl Kernel for Sphere {
+    const TRACES_PACKETS: bool = true;
+
     fn bounds(&self) -> Aabb {
         Aabb { min: self.center - self.radius, max: self.center + self.radius }
     }
@@ -84,6 +89,25 @@ impl Kernel for Sphere {
         [t1, t2].into_iter().find(|&t| range.contains(t)).map(Hit::on_single_piece)
     }
 
+    #[inline(always)]
+    fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        // The operations of `ray_roots`, in the same order
+        let zero = Lanes::splat(0.0);
+        let to_origin = rays.origin - Vectors::splat(self.center);
+        let r2 = Lanes::splat(self.radius * self.radius);
+        let a = rays.dir.length_squared();
+        let half_b = rays.dir.dot(to_origin);
+        let nearest = to_origin - rays.dir * (half_b / a);
+        let discriminant = a * (r2 - nearest.length_squared());
+        let crosses = zero.at_most(discriminant);
+        if self.radius == 0.0 || !crosses.any() {
+            return PacketHits::NONE;
+        }
+        let c = to_origin.length_squared() - r2;
+        let [t1, t2] = quadratic_roots_of_lanes(a, half_b, c, discriminant);
+        PacketHits::first_in_range(crosses, [t1, t2], [[0; PACKET]; 2], min, max)
+    }
+
     fn inside(&self, p: DVec3) -> bool {
         p.distance_squared(self.center) < self.radius * self.radius
     }
@@ -100,6 +124,11 @@ impl Kernel for Sphere {
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         p - self.center
+    }
+
+    #[inline(always)]
+    fn normals_of_packet(&self, points: &Vectors, _: &[Hit; PACKET], _: u32) -> Vectors {
+        *points - Vectors::splat(self.center)
     }
 
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
@@ -130,6 +159,14 @@ impl Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn packets_match_single_rays() {
+        crate::shape::testing::assert_packets_match_single_rays(&Sphere {
+            center: DVec3::new(0.1, -0.2, 0.3),
+            radius: 0.9,
+        });
+    }
 
     #[test]
     fn closed_form() {

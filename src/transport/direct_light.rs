@@ -220,7 +220,7 @@ pub(super) fn highlight_factor(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
 }
 
 /// Returns the strength of a highlight, strength · cosⁿ.
-fn lobe_strength(lobe: &Lobe, cos: f64) -> f64 {
+pub(super) fn lobe_strength(lobe: &Lobe, cos: f64) -> f64 {
     if cos <= 0.0 { 0.0 } else { lobe.strength * fp::power(cos, lobe.exponent) }
 }
 

@@ -4,7 +4,8 @@
 //! is one file: `segment` (air and attenuation between two surfaces), `shading_point` (materials at a hit), `direct_light` with
 //! `visibility` and `area_light` (light from light sources), `subsurface` with `dipole` (light through translucent solids),
 //! `photons` (light by way of targets), `radiosity` (diffuse light from other surfaces), `scatter` with `reflect`, `interface`
-//! and `dispersion` (the rays that continue from the surface).
+//! and `dispersion` (the rays that continue from the surface). Camera rays take these steps in packets of eight as far as their
+//! surfaces are plain (`packet`, `packet_light`), with the same results.
 
 mod area_light;
 mod context;
@@ -14,6 +15,8 @@ mod dispersion;
 mod interface;
 mod media;
 mod media_intervals;
+mod packet;
+mod packet_light;
 mod photons;
 mod radiance;
 mod radiosity;
@@ -29,6 +32,7 @@ mod tracer;
 mod visibility;
 
 pub use context::{CameraOrigin, FrameContext, Quality};
+pub use packet::CameraSample;
 pub use photons::{PhotonPass, Photons};
 pub use radiance::Radiance;
 pub use radiosity::{RadiosityPass, RadiosityState, Sample as RadiositySample};

@@ -9,7 +9,7 @@ use super::single_layer::SingleLayerPoint;
 use super::tracer::Tracer;
 use crate::atmosphere::{Segment, ViewKind};
 use crate::color::{Rgb, gray};
-use crate::math::{Range, Ray};
+use crate::math::{DVec3, Range, Ray};
 use crate::world::{HitBuffer, Intersection, RayKind};
 
 /// Light that arrives along a ray.
@@ -49,7 +49,7 @@ impl<'w> Tracer<'w> {
     /// Adds the radiance along a ray times the throughput of `state`, and the transparency times that of `state`, to `sum`:
     /// traces the ray and all rays that it spawns, the last spawned first. (The sum is not returned, because the copy of a
     /// returned value can begin only when all of its numbers are stored.)
-    fn add_radiance_times_throughput(&mut self, mut state: RayState, sum: &mut Radiance) {
+    pub(super) fn add_radiance_times_throughput(&mut self, mut state: RayState, sum: &mut Radiance) {
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();
         while !self.count_surface_and_is_stopped() {
@@ -71,14 +71,45 @@ impl<'w> Tracer<'w> {
     fn trace_and_continues(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
         let mut buffer = HitBuffer::default();
-        let Some(hit) = self.closest(state, &mut buffer) else {
-            let air = match self.may_cross_fog_or_media(state) {
-                true => self.endless_segment(state),
-                false => Segment::NONE,
-            };
-            let all = air.in_front_of(self.background(state));
-            sum.rgb += state.throughput * all.radiance;
-            sum.transparency += state.transparency * gray(all.transmittance);
+        let hit = self.closest(state, &mut buffer);
+        self.shade_and_continues(state, hit, sum)
+    }
+
+    /// Adds the radiance along a ray, whose first hit is known, times the throughput of `state` to `sum`; `None` for a ray that
+    /// hits nothing.
+    #[inline(never)]
+    pub(super) fn add_radiance_from_first_hit(
+        &mut self,
+        mut state: RayState,
+        hit: Option<&Intersection<'w>>,
+        sum: &mut Radiance,
+    ) {
+        let pending = self.queue.len();
+        self.random.next_vertex();
+        if self.count_surface_and_is_stopped() {
+            return;
+        }
+        if self.shade_and_continues(&mut state, hit, sum) {
+            self.add_radiance_times_throughput(state, sum);
+        }
+        while self.queue.len() > pending
+            && let Some(next) = self.queue.pop()
+        {
+            self.add_radiance_times_throughput(next, sum);
+        }
+    }
+
+    /// Adds the light of the segment up to a ray's hit and of the surface there to `sum`, and pushes the rays that continue. True
+    /// if one ray continues that was not pushed, and `state` is that ray.
+    #[inline(always)]
+    fn shade_and_continues(
+        &mut self,
+        state: &mut RayState,
+        hit: Option<&Intersection<'w>>,
+        sum: &mut Radiance,
+    ) -> bool {
+        let Some(hit) = hit else {
+            self.add_background(state, sum);
             return false;
         };
         // Air between the origin and the hit
@@ -97,12 +128,25 @@ impl<'w> Tracer<'w> {
         if part.uncommon.is_none()
             && material.is_plain
             && self.shows_surfaces_fully
-            && let Some(at) = SingleLayerPoint::on_plain_surface(self.context.world, part, &state.ray, hit)
+            && let surface = hit.surface(&state.ray)
+            && let Some(at) = SingleLayerPoint::on_plain_surface(self.context.world, part, &state.ray, (hit, &surface))
         {
             self.add_light_of_single_layer(state, &at, sum);
             return self.reflect_at_plain_point(state, hit, &at);
         }
         self.shade_general_surface(state, hit, sum)
+    }
+
+    /// Adds the light along a ray that hits nothing to `sum`.
+    #[inline]
+    fn add_background(&mut self, state: &RayState, sum: &mut Radiance) {
+        let air = match self.may_cross_fog_or_media(state) {
+            true => self.endless_segment(state),
+            false => Segment::NONE,
+        };
+        let all = air.in_front_of(self.background(state.ray.dir, state.is_reflected));
+        sum.rgb += state.throughput * all.radiance;
+        sum.transparency += state.transparency * gray(all.transmittance);
     }
 
     /// Adds the light of a surface to `sum`, and pushes the rays that continue. True if one ray continues that was not pushed,
@@ -191,6 +235,13 @@ impl<'w> Tracer<'w> {
         rank < importance
     }
 
+    /// Returns the range of the hits of a ray.
+    #[inline(always)]
+    pub(super) fn range_of(&self, kind: RayKind) -> Range {
+        let max = if kind == RayKind::Camera { self.context.camera.reach } else { f64::INFINITY };
+        Range { min: self.context.world.epsilon.surface, max }
+    }
+
     /// Returns the closest hit among the objects that are visible to this kind of ray, in the buffer.
     fn closest<'b>(&self, state: &RayState, buffer: &'b mut HitBuffer<'w>) -> Option<&'b Intersection<'w>> {
         let world = self.context.world;
@@ -200,8 +251,7 @@ impl<'w> Tracer<'w> {
             _ if state.has_transmitted => RayKind::Transmitted,
             _ => RayKind::Camera,
         };
-        let max = if kind == RayKind::Camera { self.context.camera.reach } else { f64::INFINITY };
-        let range = Range { min: world.epsilon.surface, max };
+        let range = self.range_of(kind);
         world.geometry.closest_in(buffer, &state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
     }
 
@@ -226,18 +276,18 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// Returns the light of sky and background in a ray's direction, and as transmittance what stays transparent in a
-    /// picture with alpha.
-    fn background(&self, state: &RayState) -> Segment {
+    /// Returns the light of sky and background in a direction, and as transmittance what stays transparent in a picture with
+    /// alpha; `is_reflected` is true for a ray that was reflected.
+    pub(super) fn background(&self, dir: DVec3, is_reflected: bool) -> Segment {
         let (world, keeps_alpha) = (self.context.world, self.context.keeps_alpha);
-        if keeps_alpha && !state.is_reflected && world.sky.is_transparent_in_alpha_pictures() {
+        if keeps_alpha && !is_reflected && world.sky.is_transparent_in_alpha_pictures() {
             return Segment::NONE;
         }
         let view = match keeps_alpha {
-            true if state.is_reflected => ViewKind::Mirror,
+            true if is_reflected => ViewKind::Mirror,
             true => ViewKind::Alpha,
             false => ViewKind::Opaque,
         };
-        world.sky.light_from(state.ray.dir, view, !self.context.quality.pigments, world.noise, world.waves)
+        world.sky.light_from(dir, view, !self.context.quality.pigments, world.noise, world.waves)
     }
 }

@@ -45,7 +45,12 @@ impl Random {
 
     /// Starts a sample of a pixel: later numbers are keyed by both.
     pub(super) fn begin_sample(&mut self, pixel: u64, sample: u64) {
-        (self.pixel, self.sample, self.vertex, self.draws) = (pixel, sample, 0, [0; PURPOSES]);
+        self.begin_vertex(pixel, sample, 0);
+    }
+
+    /// Starts a vertex of a sample of a pixel: as [`Self::begin_sample`] and then [`Self::next_vertex`], `vertex` times.
+    pub(super) fn begin_vertex(&mut self, pixel: u64, sample: u64, vertex: u64) {
+        (self.pixel, self.sample, self.vertex, self.draws) = (pixel, sample, vertex, [0; PURPOSES]);
     }
 
     /// Starts the next vertex of the sample's ray tree.
@@ -65,9 +70,15 @@ impl Random {
         RandomSequence(rng::random_word(&[self.frame, self.pixel, self.sample, self.vertex, purpose as u64, *draws]))
     }
 
-    /// Returns a sequence of random numbers that all samples of the pixel share.
-    pub fn pixel_sequence(&self, purpose: Purpose) -> RandomSequence {
-        RandomSequence(rng::random_word(&[self.frame, self.pixel, u64::MAX, purpose as u64]))
+    /// Returns the sequence that [`Self::sequence`] returns first after the start of a sample.
+    pub fn first_sequence(&self, pixel: u64, sample: u64, purpose: Purpose) -> RandomSequence {
+        let mut random = Self { vertex: 0, draws: [0; PURPOSES], pixel, sample, ..*self };
+        random.sequence(purpose)
+    }
+
+    /// Returns a sequence of random numbers that all samples of a pixel share.
+    pub fn pixel_sequence(&self, pixel: u64, purpose: Purpose) -> RandomSequence {
+        RandomSequence(rng::random_word(&[self.frame, pixel, u64::MAX, purpose as u64]))
     }
 }
 

@@ -22,10 +22,10 @@ use std::slice;
 /// compiler inlines the code of plain surfaces into the loop over rays.)
 pub(super) struct SingleLayerPoint<'w, const IS_PLAIN: bool> {
     part: &'w Part,
-    point: DVec3,
+    pub point: DVec3,
     /// Normal without bumps, length 1, towards the ray's origin.
     smooth: DVec3,
-    shaded: ShadedLayer<'w>,
+    pub shaded: ShadedLayer<'w>,
     /// Transmittance for light from beyond the surface; 0 for a plain surface.
     transmittance: Rgb,
 }
@@ -43,11 +43,17 @@ struct Look<'w> {
 }
 
 impl<'w> Look<'w> {
-    /// Evaluates a layer that has bumps or a pattern. `frame` is the space of the pattern that selected the layer; `None`
-    /// if it is the part's only one.
+    /// Evaluates a layer that has bumps or a pattern. `normal` is that of the context, which need not be read again; `frame` is
+    /// the space of the pattern that selected the layer, `None` if it is the part's only one.
     #[inline(always)]
-    fn at(layer: &'w Layer, context: &mut TextureContext, part: &Part, frame: Option<&PatternSpaces>) -> Self {
-        let (mut normal, mut weight) = (context.normal, Rgb::ONE);
+    fn at(
+        layer: &'w Layer,
+        context: &mut TextureContext,
+        mut normal: DVec3,
+        part: &Part,
+        frame: Option<&PatternSpaces>,
+    ) -> Self {
+        let mut weight = Rgb::ONE;
         if let Some(bumps) = &layer.normal {
             let bumped = Bumped::new(bumps, context, normal, &part.outside, frame);
             (normal, weight, context.normal) = (bumped.lit, bumped.weight, bumped.seen);
@@ -66,17 +72,22 @@ impl<'w> Look<'w> {
 }
 
 impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
-    /// Evaluates the only layer of a part's material at the hit `found` of `ray`. `interface` is the optical boundary, which
-    /// does not count for a plain surface.
+    /// Evaluates the only layer of a part's material at the hit `found` of `ray`, on the surface `surface`. `interface` is the
+    /// optical boundary, which does not count for a plain surface.
     #[inline(always)]
-    fn evaluate(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection, interface: &Interface) -> Self {
-        let surface = found.surface(ray);
-        let smooth = facing_normal(&surface, ray);
+    fn evaluate(
+        world: &'w World,
+        part: &'w Part,
+        ray: &Ray,
+        (found, surface): (&Intersection, &Surface),
+        interface: &Interface,
+    ) -> Self {
+        let smooth = facing_normal(surface, ray);
         let layer = &world.materials[part.outside.material as usize].layers[0];
         let look = Look::everywhere(layer, smooth).unwrap_or_else(|| {
             // (The compiler would copy the context if the pair were taken apart.)
-            let mut evaluation = texture_context(world, &part.outside, found, &surface, smooth, ray);
-            Look::at(layer, &mut evaluation.1, part, None)
+            let mut evaluation = texture_context(world, &part.outside, found, surface, smooth, ray);
+            Look::at(layer, &mut evaluation.1, smooth, part, None)
         });
         Self::new(world, part, (surface.point, smooth), ray.dir, &look, interface)
     }
@@ -129,19 +140,32 @@ impl<'w> SingleLayerPoint<'w, false> {
         let (number, mut inner) = choice.pattern.number_and_entry_context(&evaluation.1);
         let layer = &choice.only_material(number)?.layers[0];
         let frame = PatternSpaces { space: &choice.space, outer: None };
-        let look = Look::everywhere(layer, smooth).unwrap_or_else(|| Look::at(layer, &mut inner, part, Some(&frame)));
+        let look = Look::everywhere(layer, smooth).unwrap_or_else(|| {
+            let normal = inner.normal;
+            Look::at(layer, &mut inner, normal, part, Some(&frame))
+        });
         Some(Self::new(world, part, (surface.point, smooth), ray.dir, &look, interface))
     }
 }
 
 impl<'w> SingleLayerPoint<'w, true> {
-    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part. `None` if the surface
+    /// Evaluates the material at the hit `found` of `ray` on the plain surface `surface` of a part. `None` if the surface
     /// transmits light at this point although its material counts as opaque: an `image_map` that is wrapped around the
     /// origin or the y axis has no colour there.
     #[inline(always)]
-    pub fn on_plain_surface(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Option<Self> {
-        let at = Self::evaluate(world, part, ray, found, &Interface::NONE);
+    pub fn on_plain_surface(
+        world: &'w World,
+        part: &'w Part,
+        ray: &Ray,
+        (found, surface): (&Intersection, &Surface),
+    ) -> Option<Self> {
+        let at = Self::evaluate(world, part, ray, (found, surface), &Interface::NONE);
         if at.transmittance == Rgb::ZERO { Some(at) } else { None }
+    }
+
+    /// True if the surface reflects rays.
+    pub fn has_mirror(&self) -> bool {
+        self.shaded.layer.finish.mirror.is_some()
     }
 }
 
@@ -213,7 +237,8 @@ impl<'w> Tracer<'w> {
     ) -> bool {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
-        let at = SingleLayerPoint::<false>::evaluate(world, part, &state.ray, hit, interface);
+        let surface = hit.surface(&state.ray);
+        let at = SingleLayerPoint::<false>::evaluate(world, part, &state.ray, (hit, &surface), interface);
         self.shade_at_single_layer(state, hit, &at, interface, sum)
     }
 

@@ -5,7 +5,7 @@ use super::photons::Found;
 use super::radiosity::{RadiosityCache, RadiosityState, Sample};
 use super::random::Random;
 use super::ray_state::RayState;
-use crate::world::{Blocker, ShaftOccluder};
+use crate::world::{Blocker, Coherence, LightSource, ShaftOccluder, World};
 use serde::Serialize;
 
 /// Number of surfaces between two polls of the cancel flag. Two mirrors can make one camera ray take hours.
@@ -51,6 +51,10 @@ pub struct Tracer<'w> {
     surfaces_since_poll: u32,
     /// Last occluder of each light: a hint for the next shadow ray, which never changes a result.
     pub(super) occluders: Vec<Option<Blocker>>,
+    /// Coherence of packets of camera rays, and of reflected rays: hints, which never change a result.
+    pub(super) coherence: [Coherence; 2],
+    /// Coherence of packets of shadow rays.
+    pub(super) shadow_coherence: Coherence,
     /// Last object in a shaft to each light: a hint for the next shaft test, which never changes a result.
     pub(super) shaft_occluders: Vec<Option<ShaftOccluder>>,
     /// Samples of radiosity that the tracer has gathered since the last camera ray, or in a pass since the last work item.
@@ -69,6 +73,9 @@ pub struct Tracer<'w> {
     /// True if a [`super::single_layer::SingleLayerPoint`] may shade surfaces: at a quality level that shows lights, pigments
     /// and reflection.
     pub(super) shows_surfaces_fully: bool,
+    /// True if the light of plain surfaces at the hits of camera rays is computed in packets: without radiosity and photons, and if
+    /// [`can_light_packets`].
+    pub(super) lights_packets: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,
     /// True if shadow rays pass targets of photons as other transparent objects: the lit surface does not collect photons.
@@ -77,10 +84,19 @@ pub struct Tracer<'w> {
     pub(super) photon_buffers: [Found; 2],
 }
 
+/// True if the light of plain surfaces can be computed in packets: there are no media and no rainbows, and each light is one point
+/// that needs to pass no object and that fog does not attenuate.
+fn can_light_packets(world: &World) -> bool {
+    let is_simple =
+        |light: &LightSource| light.through.is_none() && light.emitter.area.is_none() && !light.emitter.attenuated;
+    world.media.is_empty() && world.air.is_empty() && world.rainbows.is_empty() && world.lights.iter().all(is_simple)
+}
+
 impl<'w> Tracer<'w> {
     /// Creates a tracer that stops soon after `is_cancelled` returns true.
     pub fn new(context: &'w FrameContext<'w>, is_cancelled: &'w (dyn Fn() -> bool + Sync)) -> Self {
         let quality = &context.quality;
+        let shows_surfaces_fully = quality.lights && quality.pigments && quality.reflection;
         Self {
             context,
             counts: RayCounts::default(),
@@ -89,6 +105,8 @@ impl<'w> Tracer<'w> {
             stopped: false,
             surfaces_since_poll: 0,
             occluders: vec![None; context.world.lights.len()],
+            coherence: Default::default(),
+            shadow_coherence: Coherence::default(),
             shaft_occluders: vec![None; context.world.lights.len()],
             radiosity_cache: RadiosityCache::new(context.world.radiosity.as_ref().map_or(1.0, |r| r.error_bound)),
             last_usable_sample: None,
@@ -96,7 +114,11 @@ impl<'w> Tracer<'w> {
             queue: vec![],
             max_trace_level: context.world.max_trace_level,
             adc_bailout: context.world.adc_bailout,
-            shows_surfaces_fully: quality.lights && quality.pigments && quality.reflection,
+            shows_surfaces_fully,
+            lights_packets: shows_surfaces_fully
+                && context.radiosity.is_none()
+                && context.photons.is_none()
+                && can_light_packets(context.world),
             traces_photons: false,
             targets_transmit_light: false,
             photon_buffers: <[Found; 2]>::default(),
@@ -105,6 +127,12 @@ impl<'w> Tracer<'w> {
 
     /// True if the tracer was cancelled, so that its results are invalid.
     pub fn is_stopped(&self) -> bool {
+        self.stopped
+    }
+
+    /// Polls the cancel flag. True if the tracer was cancelled.
+    pub fn poll_is_stopped(&mut self) -> bool {
+        self.stopped |= (self.is_cancelled)();
         self.stopped
     }
 
@@ -121,7 +149,7 @@ impl<'w> Tracer<'w> {
     /// Starts a sample of a pixel, by which later random numbers are keyed, and polls the cancel flag. In the final
     /// pass of radiosity, it also drops the samples that the last camera ray gathered.
     pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
-        self.stopped |= (self.is_cancelled)();
+        self.poll_is_stopped();
         self.random.begin_sample(pixel, sample);
         if self.context.radiosity.as_ref().is_some_and(RadiosityState::is_final) {
             self.radiosity_cache.clear();

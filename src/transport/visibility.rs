@@ -9,7 +9,7 @@ use crate::color::Rgb;
 use crate::light::{Area, LightSample};
 use crate::math::{DVec3, Range, Ray};
 use crate::shape::Kernel;
-use crate::world::{Intersection, Intersections, LightFilters, LightSource, ShadowRole, World};
+use crate::world::{Intersection, Intersections, LightFilters, LightSource, World};
 
 /// A ray from a surface to a light.
 struct ShadowRay<'a> {
@@ -89,17 +89,10 @@ impl Tracer<'_> {
     fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
         let ShadowRay { light, ray, range, distance } = *shadow;
         let world = self.context.world;
-        let (see_through, use_quick_color) = (world.see_through, !self.context.quality.pigments);
+        let use_quick_color = !self.context.quality.pigments;
         // The search for an opaque occluder ends at its first hit. Without a hit, it has come by all objects whose boxes the
         // ray intersects, and knows which of them may filter the light.
-        let role = |id: u32| {
-            let object = &world.objects[id as usize];
-            match (object.shadow, object.opaque || !see_through) {
-                (false, _) => ShadowRole::Ignored,
-                (true, true) => ShadowRole::Occludes,
-                (true, false) => ShadowRole::Filters,
-            }
-        };
+        let role = |id: u32| world.shadow_role(id);
         let occluder = &mut self.occluders[light.number];
         let Some(filters) = world.geometry.filters_unless_occluded(ray, range, role, occluder) else {
             return Rgb::ZERO;

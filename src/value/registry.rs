@@ -153,15 +153,17 @@ pub(crate) use family;
 
 /// Implements a trait for the enum of a family by the methods of its members.
 macro_rules! delegate {
-    (impl $trait:ident for $enum:ident { $(fn $method:ident $params:tt $(-> $result:ty)?;)* }) => {
+    (impl $trait:ident for $enum:ident { $($(#[$attribute:meta])* fn $method:ident $params:tt $(-> $result:ty)?;)* }) => {
         // A method that is not in the list would have the trait's default for all members.
         #[warn(clippy::missing_trait_methods)]
-        impl $trait for $enum { $(delegate! { @ $enum fn $method $params $(-> $result)? })* }
+        impl $trait for $enum { $(delegate! { @ $enum $(#[$attribute])* fn $method $params $(-> $result)? })* }
     };
-    (@ $enum:ident fn $method:ident(&self $(, $arg:ident: $type:ty)*) $(-> $result:ty)?) => {
+    (@ $enum:ident $(#[$attribute:meta])* fn $method:ident(&self $(, $arg:ident: $type:ty)*) $(-> $result:ty)?) => {
+        $(#[$attribute])*
         fn $method(&self $(, $arg: $type)*) $(-> $result)? { $enum!(self, member => member.$method($($arg),*)) }
     };
-    (@ $enum:ident fn $method:ident(&mut self $(, $arg:ident: $type:ty)*) $(-> $result:ty)?) => {
+    (@ $enum:ident $(#[$attribute:meta])* fn $method:ident(&mut self $(, $arg:ident: $type:ty)*) $(-> $result:ty)?) => {
+        $(#[$attribute])*
         fn $method(&mut self $(, $arg: $type)*) $(-> $result)? {
             $enum!(mut self, member => member.$method($($arg),*))
         }

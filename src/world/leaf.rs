@@ -2,8 +2,10 @@
 
 use super::halfspace::{self, HalfSpace};
 use super::instance::Instance;
+use crate::math::packet::{Numbers, RayPacket};
+use crate::math::registers::wide_versions;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
-use crate::shape::{Hit, Hits, Kernel, Shape};
+use crate::shape::{Hit, Hits, Kernel, PacketHits, Shape};
 use crate::value::SharedDefault;
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -161,6 +163,21 @@ impl Leaf {
             },
         };
         (surface, solid)
+    }
+}
+
+wide_versions! {
+    /// Returns the closest hits of the rays of a packet on a shape that traces packets, see [`Kernel::closest_of_packet`].
+    pub(super) fn closest_of_packet(leaf: &Leaf, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        let local;
+        let local_rays = match &leaf.place {
+            Some(m) => {
+                local = rays.inverse_transformed(m);
+                &local
+            }
+            None => rays,
+        };
+        leaf.shape.closest_of_packet(local_rays, min, max)
     }
 }
 

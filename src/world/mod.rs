@@ -16,7 +16,10 @@ mod probe;
 mod ray_epsilon;
 mod sky;
 
-pub use geometry::{Blocker, Geometry, HitBuffer, LightFilters, PlacedSolid, ShadowRole, ShaftOccluder};
+pub use geometry::{
+    Blocker, ClosestHits, Coherence, Geometry, HitBuffer, LightFilters, PacketOcclusion, PacketSurfaces, PlacedSolid,
+    ShadowRole, ShaftOccluder, surfaces_of_packet,
+};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_and_free};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
@@ -265,6 +268,17 @@ impl World {
     /// Returns whether objects with the photon settings of this number refract and whether they reflect photons of a light.
     pub fn photon_refracts_and_reflects(&self, light: &LightSource, settings: u32) -> [bool; 2] {
         self.photons[settings as usize].refracts_and_reflects(&light.emitter.photons)
+    }
+
+    /// Returns the effect of an object on the light of shadow rays.
+    #[inline]
+    pub fn shadow_role(&self, object: u32) -> ShadowRole {
+        let object = &self.objects[object as usize];
+        match (object.shadow, object.opaque || !self.see_through) {
+            (false, _) => ShadowRole::Ignored,
+            (true, true) => ShadowRole::Occludes,
+            (true, false) => ShadowRole::Filters,
+        }
     }
 
     /// True if the space around objects changes light: by fog, rainbows or media.

@@ -3,9 +3,13 @@
 mod dice;
 
 use dice::Dice;
-use durer::math::{DVec3, Range, Ray, Transform};
+use durer::math::packet::{PACKET, RayPacket};
+use durer::math::{DVec3, Lanes, Mask, Range, Ray, Transform};
 use durer::shape::*;
-use durer::world::{Geometry, Intersection, Intersections, Leaf, PlacedSolid, SolidNode};
+use durer::world::{
+    ClosestHits, Coherence, Geometry, Intersection, Intersections, Leaf, PlacedSolid, ShadowRole, SolidNode,
+    surfaces_of_packet,
+};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -318,6 +322,42 @@ proptest! {
             inside.sort();
             want.sort();
             prop_assert_eq!(inside, want);
+        }
+    }
+
+    /// Rays of packets, near each other or not, have the hits that they have one by one, with the same bits.
+    #[test]
+    fn packets_have_the_hits_of_single_rays(seed: u64, count in prop_oneof![1usize..8, 20usize..60]) {
+        let mut dice = Dice::new(seed);
+        let geometry = Geometry::new((0..count).map(|i| dice.tree(i % 2)).collect());
+        let accepts = |object: u32| !object.is_multiple_of(7);
+        let mut coherence = [Coherence::default(), Coherence::default()];
+        for number in 0..10 {
+            let (first, to) = (dice.ray(), dice.vector(0.5));
+            let rays: Vec<Ray> = (0..PACKET).map(|_| match number % 2 {
+                0 => dice.ray(),
+                _ => Ray::new(first.origin, first.dir + to * dice.vector(0.1)),
+            }).collect();
+            let packet = RayPacket::new(PACKET, |i| rays[i]);
+            let range = Range { min: 1e-4, max: dice.between(0.1, 9.0) };
+            let mut hits = ClosestHits::default();
+            let found = (&mut hits, &mut coherence[0]);
+            geometry.find_closest_of_packet(&packet, Mask::from_bits(0xff), range, accepts, found);
+            let lanes = (0..PACKET).filter(|i| hits[*i].is_some()).fold(0, |lanes, i| lanes | 1 << i);
+            let surfaces = surfaces_of_packet(&packet, &hits, lanes);
+            let role = |object: u32| if accepts(object) { ShadowRole::Occludes } else { ShadowRole::Ignored };
+            let (all, max) = (Mask::from_bits(0xff), Lanes::splat(range.max));
+            let hints = (&mut None, &mut coherence[1]);
+            let occlusion = geometry.occlusion_of_packet(&packet, all, (range.min, &max), role, hints);
+            for (i, ray) in rays.iter().enumerate() {
+                let alone = geometry.closest(ray, range, accepts);
+                let [found, want] = [&hits[i], &alone].map(|hit| hit.as_ref().map(|hit| (hit.hit, hit.leaf.id)));
+                prop_assert_eq!(found, want, "{:?} {:?}", ray, range);
+                prop_assert_eq!(occlusion.occluded.bits() >> i & 1 == 1, geometry.any(ray, range, accepts), "{:?}", ray);
+                if let Some(hit) = alone {
+                    prop_assert_eq!(surfaces.lane(i), hit.surface(ray), "{:?}", ray);
+                }
+            }
         }
     }
 }

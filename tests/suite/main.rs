@@ -29,6 +29,7 @@ mod memory;
 #[path = "../support/mutate.rs"]
 mod mutate;
 mod noise;
+mod packets;
 mod photons;
 mod pick;
 mod quirks;

@@ -7,6 +7,7 @@ mod build;
 mod flat_ray;
 mod node;
 mod pack;
+mod packet;
 mod shaft;
 mod split;
 mod triangles;

@@ -11,6 +11,7 @@ mod pow;
 mod remainder;
 mod sines;
 
+use super::Lanes;
 use std::f64::consts::TAU;
 
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
@@ -113,8 +114,31 @@ pub fn integer_power(x: f64, n: u32) -> f64 {
 /// x to the power of an exponent that a scene states: mostly a small whole number, for which a few products suffice.
 #[inline]
 pub fn power(x: f64, exponent: f64) -> f64 {
+    match small_whole_exponent(exponent) {
+        Some(whole) => integer_power(x, whole),
+        None => pow(x, exponent),
+    }
+}
+
+/// Returns an exponent that is a small whole number, for which [`power`] multiplies.
+#[inline]
+pub fn small_whole_exponent(exponent: f64) -> Option<u32> {
     let whole = exponent as u32;
-    if f64::from(whole) == exponent && whole < 4096 { integer_power(x, whole) } else { pow(x, exponent) }
+    (f64::from(whole) == exponent && whole < 4096).then_some(whole)
+}
+
+/// Returns [`integer_power`] of several numbers.
+#[inline(always)]
+pub fn integer_power_of_lanes<const N: usize>(x: Lanes<N>, n: u32) -> Lanes<N> {
+    let (mut out, mut square, mut rest) = (Lanes::splat(1.0), x, n);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            out = out * square;
+        }
+        square = square * square;
+        rest >>= 1;
+    }
+    out
 }
 
 /// e to the power of x.

@@ -4,6 +4,8 @@ mod bernstein;
 
 pub use bernstein::{MAX_DEGREE, bernstein_roots, bernstein_roots_in_window, polynomial_roots_between};
 
+use super::Lanes;
+
 /// Real roots of a·x² + b·x + c, ascending, by the stable pair (lecture, "Solving ax²+bx+c=0"). With a = 0 the line's
 /// root is one of them and the other is infinite; `None` if there is no real root.
 pub fn solve_quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
@@ -24,9 +26,44 @@ pub fn solve_quadratic_with_discriminant(a: f64, half_b: f64, c: f64, quarter_di
     Some((x1.min(x2), x1.max(x2)))
 }
 
+/// Returns the roots that [`solve_quadratic_with_discriminant`] returns, the lesser ones first, for several equations that have
+/// roots.
+#[inline(always)]
+pub fn quadratic_roots_of_lanes<const N: usize>(
+    a: Lanes<N>,
+    half_b: Lanes<N>,
+    c: Lanes<N>,
+    quarter_disc: Lanes<N>,
+) -> [Lanes<N>; 2] {
+    let zero = Lanes::splat(0.0);
+    let q = -(half_b + quarter_disc.sqrt().copysign(half_b));
+    let is_zero = q.equals(zero);
+    let (x1, x2) = (is_zero.select(zero, q / a), is_zero.select(zero, c / q));
+    [x1.min(x2), x1.max(x2)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn roots_in_lanes_have_the_bits_of_single_ones() {
+        let numbers = [0.0, -0.0, 1.0, -3.0, 1e-9, 7.5, -1e12, 0.25];
+        for shift in 0..64 {
+            let pick = |step: usize| Lanes::<8>(std::array::from_fn(|i| numbers[(i * step + shift) % 8]));
+            let (a, half_b, c) = (pick(1), pick(3), Lanes(numbers.map(|x| x - 1.0)));
+            let discriminant = half_b * half_b - a * c;
+            let [low, high] = quadratic_roots_of_lanes(a, half_b, c, discriminant);
+            for i in 0..8 {
+                let alone = solve_quadratic_with_discriminant(a.0[i], half_b.0[i], c.0[i], discriminant.0[i]);
+                let Some((t1, t2)) = alone else { continue };
+                assert!(
+                    [(low.0[i], t1), (high.0[i], t2)].iter().all(|(a, b)| a == b || a.is_nan() && b.is_nan()),
+                    "{i}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn quadratic_keeps_both_roots() {

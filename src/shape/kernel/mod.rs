@@ -10,7 +10,8 @@ pub use quirks::{Bounding, Quirks};
 
 use super::{Face, Paints, Shape};
 use crate::diagnostic::Result;
-use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
+use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
+use crate::math::{Aabb, DVec2, DVec3, Lanes, Mask, Quadratic, Range, Ray, Transform};
 use crate::value::{Next, Reader};
 
 /// A point where a ray hits a surface, in object space.
@@ -33,6 +34,45 @@ impl Hit {
     /// Creates a hit on a numbered piece of a shape.
     pub fn on_piece(t: f64, part: u32) -> Self {
         Self { t, part, uv: DVec2::ZERO }
+    }
+}
+
+/// Closest hits of the rays of a packet on one shape, without data of the kernel.
+#[derive(Clone, Copy, Debug)]
+pub struct PacketHits {
+    /// True for the rays that hit the shape.
+    pub is_hit: Flags,
+    /// Parameter of each ray at its hit, see [`Hit::t`].
+    pub t: Numbers,
+    /// Part of the surface that each ray hits, see [`Hit::part`].
+    pub part: [u32; PACKET],
+}
+
+impl PacketHits {
+    /// Hits of rays that all miss the shape.
+    pub const NONE: Self = Self { is_hit: Mask::NONE, t: Lanes([0.0; PACKET]), part: [0; PACKET] };
+
+    /// Replaces the hits of the rays `is_hit` by hits at `t` on a part of the surface, if these are at distances above `min` and
+    /// before the hits so far. (Before the first, `t` is the end of the ray's range.)
+    #[inline(always)]
+    pub fn keep_if_closer(&mut self, is_hit: Flags, t: Numbers, part: u32, min: f64) {
+        let is_closer = is_hit & Lanes::splat(min).less_than(t) & t.less_than(self.t);
+        self.part = is_closer.select_u32([part; PACKET], self.part);
+        (self.is_hit, self.t) = (self.is_hit | is_closer, is_closer.select(t, self.t));
+    }
+
+    /// Returns the first of two hits of each ray, in this order, that is in its range, for the rays that have these hits.
+    #[inline(always)]
+    pub fn first_in_range(
+        has_hits: Flags,
+        [t1, t2]: [Numbers; 2],
+        [part1, part2]: [[u32; PACKET]; 2],
+        min: f64,
+        max: &Numbers,
+    ) -> Self {
+        let contains = |t: Numbers| Lanes::splat(min).less_than(t) & t.less_than(*max);
+        let (first, second) = (contains(t1), contains(t2));
+        Self { is_hit: has_hits & (first | second), t: first.select(t1, t2), part: first.select_u32(part1, part2) }
     }
 }
 
@@ -101,6 +141,9 @@ pub trait Kernel {
     /// Departures of POV-Ray's shape from this shape's model.
     const QUIRKS: Quirks = Quirks::NONE;
 
+    /// True for shapes that compute the hits of several rays side by side; false for those that trace one ray at a time.
+    const TRACES_PACKETS: bool = false;
+
     /// Departures of POV-Ray's shape from this model, [`Kernel::QUIRKS`].
     fn quirks(&self) -> &'static Quirks {
         &Self::QUIRKS
@@ -134,6 +177,18 @@ pub trait Kernel {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
         nearest_hit(&all)
+    }
+
+    /// True if [`Kernel::closest_of_packet`] computes hits, see [`Kernel::TRACES_PACKETS`].
+    fn traces_packets(&self) -> bool {
+        Self::TRACES_PACKETS
+    }
+
+    /// Returns the closest hits of the rays of a packet, each in the range from `min` to the number in `max`; `min` is not
+    /// negative. Only for shapes that [trace packets](Kernel::TRACES_PACKETS).
+    #[inline(always)]
+    fn closest_of_packet(&self, _rays: &RayPacket, _min: f64, _max: &Numbers) -> PacketHits {
+        PacketHits::NONE
     }
 
     /// True if the ray has any hit on the shape in the range.
@@ -188,6 +243,16 @@ pub trait Kernel {
 
     /// Outward normal of the shape at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
+
+    /// Normals at the hits of the rays `lanes` of a packet, given as bits, see [`Kernel::normal`]. The others are any vectors.
+    #[inline(always)]
+    fn normals_of_packet(&self, points: &Vectors, hits: &[Hit; PACKET], lanes: u32) -> Vectors {
+        let mut normals = Vectors::splat(DVec3::ZERO);
+        for lane in set_lanes(lanes) {
+            normals.set_lane(lane, self.normal(points.lane(lane), &hits[lane]));
+        }
+        normals
+    }
 
     /// Surface coordinates of a point of the shape, for `uv_mapping` and `durer pick`.
     fn uv(&self, p: DVec3, _hit: &Hit) -> DVec2 {

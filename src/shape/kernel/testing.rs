@@ -3,9 +3,12 @@
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
-use crate::math::{DVec2, DVec3, Range, Ray, Transform};
+use crate::math::packet::{Numbers, PACKET, RayPacket};
+use crate::math::registers::testing::for_all_registers;
+use crate::math::registers::wide_versions;
+use crate::math::{DVec2, DVec3, Lanes, Range, Ray, Transform, rng};
 use crate::mesh_io::MeshMaterial;
-use crate::shape::{Hit, Hits, Kernel, Paints};
+use crate::shape::{Hit, Hits, Kernel, PacketHits, Paints};
 use crate::source::Span;
 use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
@@ -23,6 +26,56 @@ pub fn all_hits(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
 pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
     let same = |(h, w): (&Hit, &(f64, u32))| (h.t - w.0).abs() <= 1e-12 * (1.0 + w.0.abs()) && h.part == w.1;
     assert!(found.len() == want.len() && found.iter().zip(want).all(same), "found {found:?}, want {want:?}");
+}
+
+/// Asserts that the rays of packets have the hits and normals that they have one by one. The shape must be near the origin, about
+/// one unit large, and trace packets.
+pub fn assert_packets_match_single_rays(shape: &impl Kernel) {
+    let random =
+        |i: usize, n: u64| DVec3::from_array([0, 1, 2].map(|axis| rng::random_unit(&[i as u64, n, axis]) * 2.0 - 1.0));
+    // Rays to the shape and beside it, along axes, and along a plane through the origin; some begin within the shape
+    let ray = |i: usize| {
+        let (from, to) = (random(i, 1) * [3.0, 0.5][i % 2], random(i, 2) * 1.5);
+        let axis = DVec3::AXES[i / 5 % 3];
+        match i % 5 {
+            0 => Ray::new(to - axis * 4.0, axis),
+            1 => Ray::new(to + axis * 4.0, -axis * 0.7),
+            2 => Ray::new((from - to) * (DVec3::ONE - axis), to * (DVec3::ONE - axis)),
+            _ => Ray::new(from, to - from),
+        }
+    };
+    let mut n_hits = 0;
+    for packet in 0..400 {
+        let rays: [Ray; PACKET] = std::array::from_fn(|lane| ray(packet * PACKET + lane));
+        let lanes = RayPacket::new(PACKET, |i| rays[i]);
+        let max = Lanes(std::array::from_fn(|i| [f64::INFINITY, 1.0, 2.5, 0.3][(packet + i) % 4]));
+        let min = [1e-4, 0.0, 0.4][packet % 3];
+        for_all_registers(|registers| {
+            let found = closest_of_packet(shape, &lanes, min, &max);
+            let hits = std::array::from_fn(|i| Hit::on_piece(found.t.0[i], found.part[i]));
+            let normals = shape.normals_of_packet(&lanes.at(found.t), &hits, found.is_hit.bits());
+            for (i, ray) in rays.iter().enumerate() {
+                let alone = shape.closest(ray, Range { min, max: max.0[i] });
+                let in_packet = (found.is_hit.bits() >> i & 1 == 1).then_some(hits[i]);
+                assert_eq!(in_packet, alone, "{registers:?} {ray:?} {min} {}", max.0[i]);
+                if let Some(hit) = alone {
+                    assert_eq!(normals.lane(i), shape.normal(ray.at(hit.t), &hit));
+                    n_hits += 1;
+                }
+            }
+        });
+    }
+    assert!(shape.traces_packets() && n_hits > 300, "{n_hits}");
+}
+
+/// Calls [`Kernel::closest_of_packet`] as compiled for the registers that are in use.
+fn closest_of_packet<S: Kernel>(shape: &S, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+    wide_versions! {
+        fn closest<'a; S: (Kernel)>(shape: &'a S, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+            shape.closest_of_packet(rays, min, max)
+        }
+    }
+    closest(shape, rays, min, max)
 }
 
 /// Reads a shape from words separated by blanks; returns the diagnostics too.

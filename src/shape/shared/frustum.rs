@@ -1,7 +1,11 @@
 //! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant, tolerance};
-use crate::shape::{Crossing, End, HalfSpaces, Hit, Hits, nearest_hit, pov_bounds};
+use crate::math::packet::{Numbers, PACKET, RayPacket, Vectors};
+use crate::math::{
+    Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform, fp, quadratic_roots_of_lanes, solve_quadratic_with_discriminant,
+    tolerance,
+};
+use crate::shape::{Crossing, End, HalfSpaces, Hit, Hits, PacketHits, nearest_hit, pov_bounds};
 use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
@@ -262,6 +266,96 @@ impl Frustum {
         }
     }
 
+    /// Closest hits of the rays of a packet, see [`crate::shape::Kernel::closest_of_packet`].
+    #[inline(always)]
+    pub fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        if self.is_empty() {
+            return PacketHits::NONE;
+        }
+        // The operations of `t_point_direction_near_center`, in the same order
+        let Precomputed { along, across, middle } = &self.frame;
+        let [along, x, y] = [*along, across.0, across.1].map(Vectors::splat);
+        let shift = (Vectors::splat(*middle) - rays.origin).dot(rays.dir) / rays.dir.length_squared();
+        let point = rays.origin + rays.dir * shift - Vectors::splat(self.base);
+        let o = Vectors { x: point.dot(x), y: point.dot(y), z: point.dot(along) };
+        let v = Vectors { x: rays.dir.dot(x), y: rays.dir.dot(y), z: rays.dir.dot(along) };
+        match self.is_closed_cylinder() {
+            true => self.closest_of_closed_cylinder(&RayPacket { origin: o, dir: v }, shift, min, max),
+            false => self.closest_of_wall_and_ends(&RayPacket { origin: o, dir: v }, shift, min, max),
+        }
+    }
+
+    /// Closest hits on a closed cylinder of rays in the frustum's frame, with w as z; `shift` is added to their parameters.
+    #[inline(always)]
+    fn closest_of_closed_cylinder(&self, rays: &RayPacket, shift: Numbers, min: f64, max: &Numbers) -> PacketHits {
+        // The operations of `cylinder_interval`, in the same order
+        let RayPacket { origin: o, dir: v } = rays;
+        let [zero, one, infinity] = [0.0, 1.0, f64::INFINITY].map(Lanes::splat);
+        let r2 = Lanes::splat(self.base_radius * self.base_radius);
+        let a = v.x * v.x + v.y * v.y;
+        let turn = o.x * v.y - o.y * v.x;
+        let discriminant = a * r2 - turn * turn;
+        let distance = o.x * o.x + o.y * o.y;
+        let crosses_wall = zero.less_than(a);
+        let is_within = !(crosses_wall & discriminant.less_than(zero)) & (crosses_wall | !r2.at_most(distance));
+        if !is_within.any() {
+            return PacketHits::NONE;
+        }
+        let [s1, s2] = quadratic_roots_of_lanes(a, o.x * v.x + o.y * v.y, distance - r2, discriminant);
+        let [near, far] = [crosses_wall.select(s1, -infinity), crosses_wall.select(s2, infinity)];
+        let is_parallel_to_ends = v.z.equals(zero);
+        let is_between_ends = !is_parallel_to_ends | (zero.at_most(o.z) & o.z.at_most(one));
+        let [base, cap] = [-o.z / v.z, (one - o.z) / v.z];
+        let rises = zero.less_than(v.z);
+        let [enter, leave] = [rises.select(base, cap), rises.select(cap, base)];
+        let (enters, leaves) =
+            (near.less_than(enter) & !is_parallel_to_ends, leave.less_than(far) & !is_parallel_to_ends);
+        let [near, far] = [enters.select(enter, near), leaves.select(leave, far)];
+        let [wall, base, cap] = [WALL, BASE, CAP].map(|part| [part; PACKET]);
+        let parts = [
+            enters.select_u32(rises.select_u32(base, cap), wall),
+            leaves.select_u32(rises.select_u32(cap, base), wall),
+        ];
+        let has_hits = is_within & is_between_ends & near.at_most(far);
+        PacketHits::first_in_range(has_hits, [near + shift, far + shift], parts, min, max)
+    }
+
+    /// Closest hits on a cone or an open cylinder of rays in the frustum's frame, with w as z; `shift` is added to their parameters.
+    #[inline(always)]
+    fn closest_of_wall_and_ends(&self, rays: &RayPacket, shift: Numbers, min: f64, max: &Numbers) -> PacketHits {
+        // The operations of `hits`, in the same order
+        let RayPacket { origin: o, dir: v } = rays;
+        let [zero, one] = [0.0, 1.0].map(Lanes::splat);
+        let dr = self.cap_radius - self.base_radius;
+        let (r, slope) = (Lanes::splat(self.base_radius) + o.z * Lanes::splat(dr), v.z * Lanes::splat(dr));
+        let (tx, ty) = (v.x * r - o.x * slope, v.y * r - o.y * slope);
+        let turn = o.x * v.y - o.y * v.x;
+        let discriminant = tx * tx + ty * ty - turn * turn;
+        let meets_cone = !discriminant.less_than(zero);
+        if !meets_cone.any() {
+            return PacketHits::NONE;
+        }
+        let a = v.x * v.x + v.y * v.y - slope * slope;
+        let half_b = o.x * v.x + o.y * v.y - slope * r;
+        let c = o.x * o.x + o.y * o.y - r * r;
+        let has_roots = meets_cone & !(a.equals(zero) & half_b.equals(zero));
+        let mut hits = PacketHits { t: *max, ..PacketHits::NONE };
+        for s in quadratic_roots_of_lanes(a, half_b, c, discriminant) {
+            let w = o.z + s * v.z;
+            hits.keep_if_closer(has_roots & zero.at_most(w) & w.at_most(one), s + shift, WALL, min);
+        }
+        if self.open {
+            return hits;
+        }
+        for (w, radius, part) in [(zero, self.base_radius, BASE), (one, self.cap_radius, CAP)] {
+            let s = (w - o.z) / v.z;
+            let (x, y) = (o.x + s * v.x, o.y + s * v.y);
+            let is_on_disc = meets_cone & !v.z.equals(zero) & (x * x + y * y).less_than(Lanes::splat(radius * radius));
+            hits.keep_if_closer(is_on_disc, s + shift, part, min);
+        }
+        hits
+    }
+
     /// Outward normal at a point of a part of the frustum's surface.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
@@ -300,6 +394,8 @@ pub const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs
 macro_rules! frustum_kernel {
     ($shape:ident) => {
         impl $crate::shape::Kernel for $shape {
+            const TRACES_PACKETS: bool = true;
+
             fn bounds(&self) -> Aabb {
                 self.0.bounds()
             }
@@ -310,6 +406,16 @@ macro_rules! frustum_kernel {
 
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
                 self.0.closest(ray, range)
+            }
+
+            #[inline(always)]
+            fn closest_of_packet(
+                &self,
+                rays: &$crate::math::packet::RayPacket,
+                min: f64,
+                max: &$crate::math::packet::Numbers,
+            ) -> $crate::shape::PacketHits {
+                self.0.closest_of_packet(rays, min, max)
             }
 
             fn pov_bounds(&self, m: &$crate::math::Transform) -> Aabb {

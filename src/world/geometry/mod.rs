@@ -1,7 +1,11 @@
 //! All objects that rays can hit, with a bounding volume hierarchy.
 
+mod coherence;
+mod packet;
 mod shadow;
 
+pub use coherence::Coherence;
+pub use packet::{ClosestHits, PacketOcclusion, PacketSurfaces, surfaces_of_packet};
 pub use shadow::{LightFilters, ShadowRole};
 
 use super::halfspace::HalfSpaces;

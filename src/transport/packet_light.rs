@@ -1,0 +1,282 @@
+//! Light that sources send to the plain surfaces of a packet's hits: the terms of [`super::direct_light`] side by side, each with
+//! the bits that it has alone.
+
+use super::direct_light::{emitted_light, lobe_strength, metal_tint};
+use super::single_layer::SingleLayerPoint;
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::light::LightSample;
+use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
+use crate::math::registers::wide_versions;
+use crate::math::{DVec3, Lanes, Mask, fp};
+use crate::world::{LightSource, Lobe, LoweredFinish};
+
+/// Point of a plain surface without diffuse transmission.
+pub(super) type PlainPoint<'w> = SingleLayerPoint<'w, true>;
+
+/// Points of plain surfaces, side by side, and the light that they send along the rays.
+pub(super) struct LitPoints<'w> {
+    /// Lanes with a point, as bits.
+    existing: u32,
+    /// Lanes with a point of a surface that reflects light, as bits.
+    reflecting: u32,
+    point: Vectors,
+    /// Directions of the camera rays.
+    dir: Vectors,
+    /// Normals with bumps, length 1.
+    normal: Vectors,
+    /// Red, green and blue of the pigments.
+    color: Vectors,
+    opacity: Numbers,
+    diffuse: Numbers,
+    /// Finish of each point.
+    finish: [Option<&'w LoweredFinish>; PACKET],
+    /// The finish of all points; `None` if they have several.
+    only_finish: Option<&'w LoweredFinish>,
+    /// Light of each point.
+    light: Vectors,
+}
+
+/// Light of one source that reaches the points without occlusion.
+struct ArrivingLight {
+    /// Directions to the light, length 1.
+    to_light: Vectors,
+    distance: Numbers,
+    /// Red, green and blue.
+    light: Vectors,
+}
+
+impl<'w> LitPoints<'w> {
+    /// Creates an empty list for the rays of a packet.
+    #[inline(always)]
+    pub fn new(packet: &RayPacket) -> Self {
+        let zero = Vectors::splat(DVec3::ZERO);
+        Self {
+            existing: 0,
+            reflecting: 0,
+            point: zero,
+            dir: packet.dir,
+            normal: zero,
+            color: zero,
+            opacity: zero.x,
+            diffuse: zero.x,
+            finish: [None; PACKET],
+            only_finish: None,
+            light: zero,
+        }
+    }
+
+    /// Adds the point of ray `i`, with the light that it emits.
+    #[inline(always)]
+    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, has_ambient: bool) {
+        let shaded = &at.shaded;
+        let finish: &'w LoweredFinish = &shaded.layer.finish;
+        self.point.set_lane(i, at.point);
+        self.normal.set_lane(i, shaded.normal);
+        self.color.set_lane(i, shaded.color.rgb);
+        self.light.set_lane(i, shaded.weight * emitted_light(shaded, has_ambient));
+        (self.opacity.0[i], self.diffuse.0[i], self.finish[i]) = (shaded.opacity, finish.diffuse, Some(finish));
+        let is_only = self.existing == 0 || self.only_finish.is_some_and(|only| std::ptr::eq(only, finish));
+        self.only_finish = is_only.then_some(finish);
+        self.existing |= 1 << i;
+        self.reflecting |= u32::from(finish.diffuse != 0.0 || finish.has_highlights()) << i;
+    }
+
+    /// True if the list has no point.
+    pub fn is_empty(&self) -> bool {
+        self.existing == 0
+    }
+
+    /// Returns the rays with points, and the light of each.
+    pub fn light(&self) -> impl Iterator<Item = (usize, Rgb)> {
+        set_lanes(self.existing).map(|i| (i, self.light.lane(i)))
+    }
+}
+
+impl Tracer<'_> {
+    /// Adds the light of sources that the points reflect along the rays. The sources are points: see
+    /// [`Tracer::lights_packets`](super::tracer::Tracer).
+    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut LitPoints) {
+        let world = self.context.world;
+        // (Parts without uncommon properties belong to the first set.)
+        for &number in &world.lit_by[0] {
+            self.add_reflected_light(&world.lights[number as usize], lit);
+        }
+        // The ray's radiance was 0 before.
+        lit.light = Vectors::splat(DVec3::ZERO) + lit.light;
+    }
+
+    /// Adds the light of a point light that the points reflect along the rays.
+    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints) {
+        let arriving = match light.emitter.is_even_point() {
+            true => arriving_from_point(light.emitter.location, light.emitter.color, lit),
+            false => ArrivingLight::new(lit, |point| light.emitter.sample(point, DVec3::ZERO)),
+        };
+        let faces = faces_light(lit, &arriving);
+        if !faces.any() {
+            return;
+        }
+        let (visible, share) = self.visibility_of_packet(light, lit, &arriving, faces);
+        if visible.any() {
+            add_reflected(lit, &arriving, &share, visible, !light.emitter.shadowless);
+        }
+    }
+
+    /// Returns for which of the points `faces` the light is visible at all, and the share that is visible, per channel.
+    fn visibility_of_packet(
+        &mut self,
+        light: &LightSource,
+        lit: &LitPoints,
+        arriving: &ArrivingLight,
+        faces: Flags,
+    ) -> (Flags, Vectors) {
+        let world = self.context.world;
+        let mut share = Vectors::splat(Rgb::ONE);
+        let epsilon = world.epsilon.shadow;
+        let max = arriving.distance - epsilon;
+        let casts_shadows = !light.emitter.shadowless && self.context.quality.shadows;
+        let has_ray = faces & Lanes::splat(epsilon).less_than(max);
+        if !casts_shadows || !has_ray.any() {
+            return (faces, share);
+        }
+        // The rays that do not count are like the first one, so that the packet is narrow.
+        let first = has_ray.bits().trailing_zeros() as usize % PACKET;
+        let packet = RayPacket {
+            origin: Vectors::select(has_ray, lit.point, Vectors::splat(lit.point.lane(first))),
+            dir: Vectors::select(has_ray, arriving.to_light, Vectors::splat(arriving.to_light.lane(first))),
+        };
+        let role = |id: u32| world.shadow_role(id);
+        let hints = (&mut self.occluders[light.number], &mut self.shadow_coherence);
+        let occlusion = world.geometry.occlusion_of_packet(&packet, has_ray, (epsilon, &max), role, hints);
+        self.counts.shadow += u64::from((has_ray & !occlusion.may_be_filtered).bits().count_ones());
+        for i in set_lanes(occlusion.may_be_filtered.bits()) {
+            let inside = self.context.interiors_of_camera_ray(packet.origin.lane(i));
+            let transmitted = self.visibility_along_ray(light, &packet.ray(i), arriving.distance.0[i], &inside);
+            share.set_lane(i, transmitted);
+        }
+        (faces & !occlusion.occluded & !share.is_zero(), share)
+    }
+}
+
+impl ArrivingLight {
+    /// Samples a light at each point.
+    #[inline(always)]
+    fn new(lit: &LitPoints, sample: impl Fn(DVec3) -> LightSample) -> Self {
+        let zero = Vectors::splat(DVec3::ZERO);
+        let mut all = Self { to_light: zero, distance: Lanes::splat(0.0), light: zero };
+        for i in set_lanes(lit.existing) {
+            let LightSample { to_light, distance, light } = sample(lit.point.lane(i));
+            all.to_light.set_lane(i, to_light);
+            all.distance.0[i] = distance;
+            all.light.set_lane(i, light);
+        }
+        all
+    }
+}
+
+wide_versions! {
+    /// Returns the light of a point light that shines evenly in all directions and does not fade.
+    fn arriving_from_point(location: DVec3, color: Rgb, lit: &LitPoints) -> ArrivingLight {
+        // The operations of `LoweredLight::sample`, in the same order
+        let way = Vectors::splat(location + DVec3::ZERO) - lit.point;
+        let distance = way.length_squared().sqrt();
+        ArrivingLight { to_light: way / distance, distance, light: Vectors::splat(color * 1.0) }
+    }
+}
+
+wide_versions! {
+    /// True for the points that reflect light which arrives.
+    fn faces_light(lit: &LitPoints, arriving: &ArrivingLight) -> Flags {
+        let faces = Lanes::splat(0.0).less_than(lit.normal.dot(arriving.to_light));
+        Mask::from_bits(lit.reflecting) & faces & !arriving.light.is_zero() & arriving.to_light.is_finite()
+    }
+}
+
+wide_versions! {
+    /// Adds the light that the points `visible` reflect; `share` is the share of the light that is visible from them.
+    fn add_reflected(
+        lit: &mut LitPoints,
+        arriving: &ArrivingLight,
+        share: &Vectors,
+        visible: Flags,
+        has_highlights: bool,
+    ) {
+        let zero = Lanes::splat(0.0);
+        let light = arriving.light.times(*share);
+        let cos = lit.normal.dot(arriving.to_light);
+        let factor = lit.opacity * lit.diffuse * powers(lit, visible, cos.abs(), |finish| finish.brilliance) - zero;
+        let no_light = Vectors::splat(DVec3::ZERO);
+        let mut reflected = Vectors::select(lit.diffuse.equals(zero), no_light, lit.color * factor);
+        if has_highlights {
+            reflected = reflected + highlights(lit, arriving, cos, visible);
+        }
+        // (Light that is black is not reflected.)
+        let is_lit = visible & !light.is_zero();
+        lit.light = lit.light + Vectors::select(is_lit, reflected.times(light), no_light);
+    }
+}
+
+/// Returns the powers of numbers, one for each of the points `visible`, with exponents of their finishes.
+#[inline(always)]
+fn powers(lit: &LitPoints, visible: Flags, numbers: Numbers, exponent: fn(&LoweredFinish) -> f64) -> Numbers {
+    if let Some(only) = lit.only_finish
+        && let Some(whole) = fp::small_whole_exponent(exponent(only))
+    {
+        return fp::integer_power_of_lanes(numbers, whole);
+    }
+    let mut powers = Lanes::splat(0.0);
+    for i in set_lanes(visible.bits()) {
+        powers.0[i] = lit.finish[i].map_or(0.0, |finish| fp::power(numbers.0[i], exponent(finish)));
+    }
+    powers
+}
+
+/// Returns the shares of incident light that the points `visible` reflect as highlights, as
+/// [`super::direct_light::highlight_factor`] does.
+#[inline(always)]
+fn highlights(lit: &LitPoints, arriving: &ArrivingLight, cos: Numbers, visible: Flags) -> Vectors {
+    let (mut phong, mut specular, mut metallic) = (0, 0, 0);
+    for i in set_lanes(visible.bits()) {
+        let Some(finish) = lit.finish[i] else { continue };
+        phong |= u32::from(finish.phong.strength != 0.0) << i;
+        specular |= u32::from(finish.specular.strength != 0.0) << i;
+        metallic |= u32::from(finish.metallic != 0.0) << i;
+    }
+    let zero = Lanes::splat(0.0);
+    let mut amount = zero;
+    if phong != 0 {
+        let twice = 2.0 * lit.dir.dot(lit.normal);
+        let mirror_cos = (lit.dir - lit.normal * twice).dot(arriving.to_light);
+        amount = amount + lobes(lit, mirror_cos, phong, |finish| &finish.phong);
+    }
+    if specular != 0 {
+        let half_cos = lit.normal.dot((arriving.to_light - lit.dir).normalize_or(Vectors::splat(DVec3::ZERO)));
+        amount = amount + lobes(lit, half_cos, specular, |finish| &finish.specular);
+    }
+    let mut tint = Vectors::splat(Rgb::ONE);
+    for i in set_lanes(metallic & !amount.equals(zero).bits()) {
+        let tint_of = |finish: &LoweredFinish| metal_tint(finish.metallic, cos.0[i], lit.color.lane(i));
+        tint.set_lane(i, lit.finish[i].map_or(Rgb::ONE, tint_of));
+    }
+    Vectors::select(amount.equals(zero), Vectors::splat(DVec3::ZERO), tint * amount)
+}
+
+/// Returns the strengths of the highlights of the points `counting`, and 0 for the others.
+#[inline(always)]
+fn lobes(lit: &LitPoints, cos: Numbers, counting: u32, lobe: fn(&LoweredFinish) -> &Lobe) -> Numbers {
+    let zero = Lanes::splat(0.0);
+    let counts = Mask::from_bits(counting) & zero.less_than(cos);
+    if !counts.any() {
+        return zero;
+    }
+    if let Some(only) = lit.only_finish.map(lobe)
+        && let Some(whole) = fp::small_whole_exponent(only.exponent)
+    {
+        return counts.select(only.strength * fp::integer_power_of_lanes(cos, whole), zero);
+    }
+    let mut strengths = zero;
+    for i in set_lanes(counts.bits()) {
+        strengths.0[i] = lit.finish[i].map_or(0.0, |finish| lobe_strength(lobe(finish), cos.0[i]));
+    }
+    strengths
+}

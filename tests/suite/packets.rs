@@ -1,0 +1,135 @@
+//! Camera rays are traced in packets. A region of two pixels is too small for a packet, so its rays are traced one by one: each such
+//! region must have the bytes of the whole picture.
+
+use durer::{BuildOptions, Memory, Region, RenderOptions, Sources, Unwatched, World};
+use std::sync::Arc;
+
+const WIDTH: usize = 40;
+const HEIGHT: usize = 30;
+
+/// Textures of one layer that light reaches in packets: with all terms of `finish`, patterns, bumps, mirrors.
+const TEXTURES: [&str; 6] = [
+    "pigment { rgb <0.9, 0.5, 0.2> } finish { phong 0.7 phong_size 35 }",
+    "pigment { checker rgb 0.9 rgb <0.1, 0.4, 0.2> scale 0.5 } finish { specular 0.6 roughness 0.03 metallic }",
+    "pigment { bozo scale 0.4 } normal { bumps 0.6 scale 0.2 } finish { phong 0.4 phong_size 3.5 specular 0.2 brilliance 1.5 }",
+    "pigment { rgb <0.4, 0.6, 1> } finish { reflection { 0.1, 0.8 metallic } brilliance 3 diffuse 0.6 }",
+    "pigment { rgb 0.8 } normal { ripples 0.3 scale 0.3 } finish { reflection 0.5 diffuse 0.4 emission 0.05 }",
+    "pigment { rgb 0.6 } finish { diffuse 0 ambient 0.3 }",
+];
+
+/// Textures whose light is computed ray by ray: they transmit light, have grain, or several layers.
+const OTHERS: [&str; 4] = [
+    "pigment { rgbf <0.9, 1, 0.9, 0.8> } finish { reflection 0.2 specular 0.5 }",
+    "pigment { rgb 0.7 } finish { crand 0.1 }",
+    "pigment { rgb 0.7 } finish { diffuse 0.4, 0.3 }",
+    "pigment { wood scale 0.3 } } texture { pigment { gradient x color_map { [0 rgbt 1] [1 rgbt <1, 0, 0, 0.3>] } }",
+];
+
+/// Lights of all kinds.
+const LIGHTS: &str = "light_source { <5, 8, -6>, rgb 0.6 }
+    light_source { <-6, 5, -5>, rgb <0.2, 0.3, 0.5> fade_distance 5 fade_power 1.5 }
+    light_source { <0, 9, -3>, rgb 0.5 spotlight point_at <0, 0, 0.5> radius 12 falloff 20 tightness 3 }
+    light_source { <3, 4, -9>, rgb <0.2, 0.1, 0.1> parallel point_at 0 }
+    light_source { <-3, 2, -4>, rgb 0.15 shadowless }
+    light_source { <1, 7, 2>, rgb 0.3 cylinder point_at <1, 0, 2> radius 1 falloff 1.5 }";
+
+/// Returns the objects of a scene, with these textures in turn.
+fn objects(textures: &[&str]) -> String {
+    let texture = |i: usize| format!("texture {{ {} }}", textures[i % textures.len()]);
+    let shapes = [
+        "sphere { <-1.2, 0.9, 0>, 0.9",
+        "box { <0.1, 0, -0.6>, <1.1, 1, 0.4> rotate 20 * y",
+        "cylinder { <1.9, 0, 0.5>, <1.6, 1.8, 0.2>, 0.4",
+        "cone { <-2.6, 0, -0.8>, 0.5, <-2.4, 1.2, -0.6>, 0.1",
+        "difference { sphere { <0.2, 0.7, 1.9>, 1.2 } box { <-0.4, 0.6, -1>, <0.8, 3, 3> }",
+        "torus { 0.5, 0.15 rotate 70 * x translate <-0.3, 0.5, -1.4>",
+        "disc { <2.4, 1.4, 1.5>, <-1, 0.2, -1>, 0.8, 0.2",
+        "quadric { <4, 1, 4>, 0, 0, -0.5 translate <-1.5, 1.2, 2.5>",
+        "triangle { <-3, 0, 3>, <-1, 2.5, 3>, <0.5, 0, 3.5>",
+    ];
+    let shapes = shapes.iter().enumerate().map(|(i, shape)| format!("{shape} {} }}", texture(i + 1)));
+    format!("plane {{ y, 0 {} }} {}", texture(0), shapes.collect::<Vec<_>>().join("\n"))
+}
+
+fn world(text: &str) -> World {
+    let sources = Sources::new(Arc::new(Memory::default()));
+    let file = durer::load_bytes(&sources, "main.scene", text.as_bytes()).unwrap();
+    let build = BuildOptions { size: (WIDTH, HEIGHT), ..BuildOptions::default() };
+    let built = durer::build(&sources, file, &build, &mut |_| {});
+    built.world.unwrap_or_else(|| panic!("{:?}\n{text}", built.diagnostics))
+}
+
+/// Asserts that regions of two pixels have the bytes of the whole picture.
+#[track_caller]
+fn assert_single_rays_agree(text: &str, alpha: bool) {
+    let world = world(text);
+    let options = RenderOptions { alpha, ..RenderOptions::new(WIDTH, HEIGHT) };
+    let (whole, rays) = durer::render(&world, &options, &Unwatched).unwrap();
+    let mut counts = durer::RayCounts::default();
+    for at in (0..WIDTH * HEIGHT).step_by(2) {
+        let region = Region { x: at % WIDTH, y: at / WIDTH, width: 2, height: 1 };
+        let options = RenderOptions { region: Some(region), ..options.clone() };
+        let (part, rays_of_part) = durer::render(&world, &options, &Unwatched).unwrap();
+        assert!(part.pixels[at..at + 2] == whole.pixels[at..at + 2], "{region:?}\n{text}");
+        counts.add(&rays_of_part);
+    }
+    assert_eq!(rays, counts, "{text}");
+    assert!(rays.shadow > 500 || !text.contains("light_source"), "{rays:?}");
+}
+
+/// Returns a scene with these settings, camera, lights and objects.
+fn scene(settings: &str, camera: &str, rest: &str) -> String {
+    format!(
+        "#version 3.7; global_settings {{ assumed_gamma 1 max_trace_level 6 {settings} }}
+         #default {{ finish {{ ambient 0.1 diffuse 0.7 }} }}
+         camera {{ {camera} location <0, 2.2, -6> look_at <0, 0.8, 0> }}
+         sky_sphere {{ pigment {{ gradient y color_map {{ [0 rgb 0.8] [1 rgb <0.2, 0.3, 0.9>] }} }} }} {rest}"
+    )
+}
+
+#[test]
+fn plain_surfaces() {
+    for (first, lights) in [(0, LIGHTS), (2, ""), (3, "light_source { <5, 8, -6>, rgb 1 }")] {
+        let textures: Vec<&str> = TEXTURES.iter().cycle().skip(first).take(TEXTURES.len()).copied().collect();
+        assert_single_rays_agree(&scene("", "", &format!("{lights} {}", objects(&textures))), false);
+    }
+    // One finish for all
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&TEXTURES[2..3]))), false);
+    assert_single_rays_agree(&scene("", "orthographic", &format!("{LIGHTS} {}", objects(&TEXTURES))), true);
+}
+
+#[test]
+fn surfaces_of_all_kinds() {
+    let mixed: Vec<&str> = TEXTURES.iter().zip(OTHERS.iter().cycle()).flat_map(|(a, b)| [*a, *b]).collect();
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&mixed))), false);
+    assert_single_rays_agree(&scene("", "spherical angle 120", &format!("{LIGHTS} {}", objects(&mixed[3..]))), false);
+    let refracting =
+        "sphere { <0.3, 1.4, -2>, 0.6 pigment { rgbf 0.9 } interior { ior 1.4 } finish { reflection 0.1 } }";
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {refracting} {}", objects(&mixed))), false);
+}
+
+#[test]
+fn air_and_lights_that_need_single_rays() {
+    let fog = "fog { distance 9 rgb <0.7, 0.8, 0.9> } fog { fog_type 2 distance 4 fog_offset 0.3 fog_alt 0.4 rgb 0.6 }";
+    assert_single_rays_agree(&scene("", "", &format!("{fog} {LIGHTS} {}", objects(&TEXTURES))), false);
+    let area =
+        "light_source { <4, 6, -5>, rgb 0.6 area_light x, y, 2, 2 jitter } light_source { <-4, 6, -5>, rgb 0.4 }";
+    assert_single_rays_agree(&scene("", "", &format!("{area} {}", objects(&TEXTURES))), false);
+    let group =
+        format!("light_group {{ light_source {{ <4, 6, -5>, rgb 0.6 }} {} global_lights on }}", objects(&TEXTURES));
+    assert_single_rays_agree(&scene("", "", &format!("light_source {{ <-4, 6, -5>, rgb 0.4 }} {group}")), false);
+    let media = format!("{LIGHTS} {} media {{ scattering {{ 1, 0.02 }} }}", objects(&TEXTURES));
+    assert_single_rays_agree(&scene("", "", &media), false);
+    let radiosity = "radiosity { count 5 error_bound 1 pretrace_start 1 pretrace_end 1 }";
+    assert_single_rays_agree(&scene(radiosity, "", &format!("{LIGHTS} {}", objects(&TEXTURES))), false);
+}
+
+#[test]
+fn hidden_objects() {
+    let hidden = [
+        "sphere { <-0.5, 1.5, -2.5>, 0.5 pigment { rgb x } no_image }",
+        "sphere { <0.8, 1.6, -2>, 0.4 pigment { rgb y } no_reflection }",
+        "box { <-3, 2, -2>, <3, 2.3, -1.5> pigment { rgb z } no_shadow double_illuminate }",
+    ];
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {} {}", objects(&TEXTURES), hidden.join("\n"))), false);
+}
