@@ -114,6 +114,7 @@ impl Graph {
 
     /// Returns the slope of one operation of the graph. `last_call_slopes` has the results of the last call: the next operation
     /// often uses another component of it.
+    #[inline]
     fn slope_of_operation<'g>(
         &'g self,
         node: &'g Operation,

@@ -108,13 +108,15 @@ wide_versions! {
         let mut search = OcclusionSearch { geometry, packet, min, counting: counts.bits(), occluded: 0, filtered: 0, last_occluder };
         let hint = search.last_occluder.map(|Blocker(i)| i);
         let boundless = geometry.finite..geometry.items.len();
-        for i in hint.into_iter().chain(boundless) {
+        for i in hint.into_iter().chain(boundless.filter(|i| Some(*i) != hint)) {
             search.visit(i, search.counting, &mut max, &role_of_object);
         }
         let mut tests = [0, 0];
         if search.occluded != search.counting {
             tests = geometry.bvh.traverse_by_packet(packet, counts, min, &mut max, #[inline(always)] |i, rays, max| {
-                search.visit(i, rays, max, &role_of_object);
+                if Some(i) != hint {
+                    search.visit(i, rays, max, &role_of_object);
+                }
                 if search.occluded == search.counting { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });
         }
