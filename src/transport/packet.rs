@@ -148,7 +148,8 @@ impl<'w> Tracer<'w> {
                         radiance.rgb += ray.throughput * air.radiance;
                         packet.rays[i].throughput *= air.transmittance;
                     }
-                    lit.add(i, &at, self.context.has_ambient);
+                    let camera_origin = packet.samples[ray.index].ray.origin;
+                    lit.add(i, &at, camera_origin, self.context.has_ambient);
                     if at.has_mirror() {
                         mirrors.push((i, at));
                     }

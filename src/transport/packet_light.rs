@@ -21,8 +21,10 @@ pub(super) struct LitPoints<'w> {
     /// Lanes with a point of a surface that reflects light, as bits.
     reflecting: u32,
     point: Vectors,
-    /// Directions of the camera rays.
+    /// Directions of the rays.
     dir: Vectors,
+    /// Origins of the camera rays from which the rays come.
+    camera_origin: Vectors,
     /// Normals with bumps, length 1.
     normal: Vectors,
     /// Red, green and blue of the pigments.
@@ -56,6 +58,7 @@ impl<'w> LitPoints<'w> {
             reflecting: 0,
             point: zero,
             dir: packet.dir,
+            camera_origin: zero,
             normal: zero,
             color: zero,
             opacity: zero.x,
@@ -66,12 +69,13 @@ impl<'w> LitPoints<'w> {
         }
     }
 
-    /// Adds the point of ray `i`, with the light that it emits.
+    /// Adds the point of ray `i`, with the light that it emits. The ray comes from a camera ray with this origin.
     #[inline(always)]
-    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, has_ambient: bool) {
+    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, camera_origin: DVec3, has_ambient: bool) {
         let shaded = &at.shaded;
         let finish: &'w LoweredFinish = &shaded.layer.finish;
         self.point.set_lane(i, at.point);
+        self.camera_origin.set_lane(i, camera_origin);
         self.normal.set_lane(i, shaded.normal);
         self.color.set_lane(i, shaded.color.rgb);
         self.light.set_lane(i, shaded.weight * emitted_light(shaded, has_ambient));
@@ -150,7 +154,7 @@ impl Tracer<'_> {
         let occlusion = world.geometry.occlusion_of_packet(&packet, has_ray, (epsilon, &max), role, hints);
         self.counts.shadow += u64::from((has_ray & !occlusion.may_be_filtered).bits().count_ones());
         for i in set_lanes(occlusion.may_be_filtered.bits()) {
-            let inside = self.context.interiors_of_camera_ray(packet.origin.lane(i));
+            let inside = self.context.interiors_of_camera_ray(lit.camera_origin.lane(i));
             let transmitted = self.visibility_along_ray(light, &packet.ray(i), arriving.distance.0[i], &inside);
             share.set_lane(i, transmitted);
         }

@@ -125,6 +125,20 @@ fn air_and_lights_that_need_single_rays() {
 }
 
 #[test]
+fn rays_that_begin_in_different_interiors() {
+    // The camera rays on the left begin within coloured glass. Objects on the right are in glass that camera rays do not see: their
+    // light crosses its surface, but does not leave an interior that the rays have entered.
+    let glass =
+        "pigment { rgbf <0.9, 0.8, 0.7, 0.9> } interior { fade_power 2 fade_distance 2 fade_color <0.6, 0.9, 0.3> }";
+    let rest = format!(
+        "{LIGHTS} {} sphere {{ <-3, 2, -6>, 2.8 {glass} }} sphere {{ <1.5, 0.5, 0>, 2.2 {glass} no_image no_reflection }}",
+        objects(&TEXTURES)
+    );
+    assert_single_rays_agree(&scene("", "orthographic", &rest), false);
+    assert_single_rays_agree(&scene("", "", &rest), false);
+}
+
+#[test]
 fn hidden_objects() {
     let hidden = [
         "sphere { <-0.5, 1.5, -2.5>, 0.5 pigment { rgb x } no_image }",
