@@ -22,16 +22,18 @@ pub struct Mask<const N: usize>(
     [u64; N],
 );
 
-/// Returns the results of a function for each lane. (A loop: the closures of `from_fn` would be called one by one.)
+/// Returns the results of an expression for the lanes 0 to `$n` - 1. (A loop: the closures of `from_fn` would be called one by
+/// one.)
 macro_rules! for_each_lane {
-    ($i:ident => $result:expr) => {{
-        let mut results = [Default::default(); N];
-        for $i in 0..N {
+    ($i:ident < $n:ident => $result:expr) => {{
+        let mut results = [Default::default(); $n];
+        for $i in 0..$n {
             results[$i] = $result;
         }
         results
     }};
 }
+pub(super) use for_each_lane;
 
 impl<const N: usize> Lanes<N> {
     /// Returns lanes with the same number.
@@ -43,55 +45,55 @@ impl<const N: usize> Lanes<N> {
     /// Returns the smaller number in each lane; of a number and NaN, the number.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i].min(other.0[i])))
+        Self(for_each_lane!(i < N => self.0[i].min(other.0[i])))
     }
 
     /// Returns the larger number in each lane; of a number and NaN, the number.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i].max(other.0[i])))
+        Self(for_each_lane!(i < N => self.0[i].max(other.0[i])))
     }
 
     /// Returns the square root of each number.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        Self(for_each_lane!(i => self.0[i].sqrt()))
+        Self(for_each_lane!(i < N => self.0[i].sqrt()))
     }
 
     /// Returns the absolute value of each number.
     #[inline(always)]
     pub fn abs(self) -> Self {
-        Self(for_each_lane!(i => self.0[i].abs()))
+        Self(for_each_lane!(i < N => self.0[i].abs()))
     }
 
     /// Returns numbers with the absolute values of `self` and the signs of `signs`.
     #[inline(always)]
     pub fn copysign(self, signs: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i].copysign(signs.0[i])))
+        Self(for_each_lane!(i < N => self.0[i].copysign(signs.0[i])))
     }
 
     /// True in the lanes whose sign is negative, also of -0.
     #[inline(always)]
     pub fn has_negative_sign(self) -> Mask<N> {
-        Mask(for_each_lane!(i => 0_u64.wrapping_sub(self.0[i].to_bits() >> 63)))
+        Mask(for_each_lane!(i < N => 0_u64.wrapping_sub(self.0[i].to_bits() >> 63)))
     }
 
     /// True in the lanes in which the number is less than the other.
     #[inline(always)]
     pub fn less_than(self, other: Self) -> Mask<N> {
-        Mask(for_each_lane!(i => all_bits(self.0[i] < other.0[i])))
+        Mask(for_each_lane!(i < N => all_bits(self.0[i] < other.0[i])))
     }
 
     /// True in the lanes in which the number is less than the other or equal.
     #[inline(always)]
     pub fn at_most(self, other: Self) -> Mask<N> {
-        Mask(for_each_lane!(i => all_bits(self.0[i] <= other.0[i])))
+        Mask(for_each_lane!(i < N => all_bits(self.0[i] <= other.0[i])))
     }
 
     /// True in the lanes in which the numbers are equal.
     #[inline(always)]
     pub fn equals(self, other: Self) -> Mask<N> {
-        Mask(for_each_lane!(i => all_bits(self.0[i] == other.0[i])))
+        Mask(for_each_lane!(i < N => all_bits(self.0[i] == other.0[i])))
     }
 
     /// True in the lanes with a finite number.
@@ -124,13 +126,13 @@ impl<const N: usize> Mask<N> {
     /// Returns the mask with these truth values.
     #[inline(always)]
     pub fn from_fn(is_true: impl Fn(usize) -> bool) -> Self {
-        Self(for_each_lane!(i => all_bits(is_true(i))))
+        Self(for_each_lane!(i < N => all_bits(is_true(i))))
     }
 
     /// Returns the truth values as numbers, whose bits are all 1 for true, 0 for false.
     #[inline(always)]
     pub fn to_u32(self) -> [u32; N] {
-        for_each_lane!(i => self.0[i] as u32)
+        for_each_lane!(i < N => self.0[i] as u32)
     }
 
     /// Returns the mask with the truth values in the lowest bits of a number, lane 0 in the lowest.
@@ -143,7 +145,7 @@ impl<const N: usize> Mask<N> {
     #[inline(always)]
     pub fn bits(self) -> u32 {
         const { assert!(N.is_multiple_of(4)) };
-        sign_bits(for_each_lane!(i => f32::from_bits(self.0[i] as u32)))
+        sign_bits(for_each_lane!(i < N => f32::from_bits(self.0[i] as u32)))
     }
 
     /// True if any lane is true.
@@ -159,16 +161,14 @@ impl<const N: usize> Mask<N> {
     /// Returns the numbers of `if_true` in the lanes that are true, and those of `if_false` in the others.
     #[inline(always)]
     pub fn select(self, if_true: Lanes<N>, if_false: Lanes<N>) -> Lanes<N> {
-        Lanes(for_each_lane!(i => if self.0[i] != 0 { if_true.0[i] } else { if_false.0[i] }))
+        Lanes(for_each_lane!(i < N => if self.0[i] != 0 { if_true.0[i] } else { if_false.0[i] }))
     }
-}
 
-impl<const N: usize> Mask<N> {
     /// Returns the whole numbers of `if_true` in the lanes that are true, and those of `if_false` in the others.
     #[inline(always)]
     pub fn select_u32(self, if_true: [u32; N], if_false: [u32; N]) -> [u32; N] {
         let marks = self.to_u32();
-        for_each_lane!(i => if_true[i] & marks[i] | if_false[i] & !marks[i])
+        for_each_lane!(i < N => if_true[i] & marks[i] | if_false[i] & !marks[i])
     }
 }
 
@@ -176,7 +176,7 @@ impl<const N: usize> BitAnd for Mask<N> {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] & other.0[i]))
+        Self(for_each_lane!(i < N => self.0[i] & other.0[i]))
     }
 }
 
@@ -184,7 +184,7 @@ impl<const N: usize> BitOr for Mask<N> {
     type Output = Self;
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] | other.0[i]))
+        Self(for_each_lane!(i < N => self.0[i] | other.0[i]))
     }
 }
 
@@ -192,7 +192,7 @@ impl<const N: usize> Not for Mask<N> {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        Self(for_each_lane!(i => !self.0[i]))
+        Self(for_each_lane!(i < N => !self.0[i]))
     }
 }
 
@@ -200,7 +200,7 @@ impl<const N: usize> Add for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] + other.0[i]))
+        Self(for_each_lane!(i < N => self.0[i] + other.0[i]))
     }
 }
 
@@ -208,7 +208,7 @@ impl<const N: usize> Sub for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] - other.0[i]))
+        Self(for_each_lane!(i < N => self.0[i] - other.0[i]))
     }
 }
 
@@ -216,7 +216,7 @@ impl<const N: usize> Mul for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] * other.0[i]))
+        Self(for_each_lane!(i < N => self.0[i] * other.0[i]))
     }
 }
 
@@ -224,7 +224,7 @@ impl<const N: usize> Div for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] / other.0[i]))
+        Self(for_each_lane!(i < N => self.0[i] / other.0[i]))
     }
 }
 
@@ -232,7 +232,7 @@ impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(for_each_lane!(i => -self.0[i]))
+        Self(for_each_lane!(i < N => -self.0[i]))
     }
 }
 

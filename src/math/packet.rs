@@ -7,6 +7,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// Number of rays in a packet.
 pub const PACKET: usize = 8;
 
+/// Minimum number of rays that are traced as a packet; fewer are quicker one by one.
+pub const MIN_RAYS: usize = 3;
+
 /// A number for each ray of a packet.
 pub type Numbers = Lanes<PACKET>;
 
@@ -55,7 +58,7 @@ impl Vectors {
     pub fn from_array(list: &[DVec3; PACKET]) -> Self {
         let mut all = Self::splat(DVec3::ZERO);
         for (i, v) in list.iter().enumerate() {
-            (all.x.0[i], all.y.0[i], all.z.0[i]) = (v.x, v.y, v.z);
+            all.set_lane(i, *v);
         }
         all
     }

@@ -102,9 +102,14 @@ impl Method {
         if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
             return self.blocks().tile_pixels(sampler, first_samples, area).into_iter().map(without_nan).collect();
         }
-        if let MethodKind::Single = self.kind {
-            return self.first_samples(sampler, area).into_iter().map(without_nan).collect();
-        }
+        let single_samples;
+        let first_samples = match self.kind {
+            MethodKind::Single => {
+                single_samples = PixelArea { area, pixels: self.first_samples(sampler, area) };
+                &single_samples
+            }
+            _ => first_samples,
+        };
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
             pixels.extend((area.x..area.x + area.width).map(|x| self.final_pixel(sampler, first_samples, x, y)));

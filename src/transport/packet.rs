@@ -10,13 +10,10 @@ use super::single_layer::SingleLayerPoint;
 use super::tracer::Tracer;
 use crate::atmosphere::Segment;
 use crate::color::{Rgb, gray};
-use crate::math::packet::{PACKET, RayPacket};
+use crate::math::packet::{MIN_RAYS, PACKET, RayPacket};
 use crate::math::{Mask, Ray};
 use crate::world::{ClosestHits, Intersection, RayKind, Surface, surfaces_of_packet};
 use smallvec::SmallVec;
-
-/// Minimum number of rays that are traced as a packet; fewer are quicker one by one.
-const MIN_RAYS: usize = 3;
 
 /// A sample of the picture: a camera ray, and the key of its random numbers.
 #[derive(Clone, Copy, Debug)]

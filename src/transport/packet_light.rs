@@ -106,8 +106,6 @@ impl Tracer<'_> {
         for &number in &world.lit_by[0] {
             self.add_reflected_light(&world.lights[number as usize], lit);
         }
-        // The ray's radiance was 0 before.
-        lit.light = Vectors::splat(DVec3::ZERO) + lit.light;
     }
 
     /// Adds the light of a point light that the points reflect along the rays.
@@ -181,10 +179,10 @@ impl ArrivingLight {
 wide_versions! {
     /// Returns the light of a point light that shines evenly in all directions and does not fade.
     fn arriving_from_point(location: DVec3, color: Rgb, lit: &LitPoints) -> ArrivingLight {
-        // The operations of `LoweredLight::sample`, in the same order
+        // The operations of `LoweredLight::sample`, in the same order; by the first, -0 becomes 0.
         let way = Vectors::splat(location + DVec3::ZERO) - lit.point;
         let distance = way.length_squared().sqrt();
-        ArrivingLight { to_light: way / distance, distance, light: Vectors::splat(color * 1.0) }
+        ArrivingLight { to_light: way / distance, distance, light: Vectors::splat(color) }
     }
 }
 
@@ -208,7 +206,7 @@ wide_versions! {
         let zero = Lanes::splat(0.0);
         let light = arriving.light.times(*share);
         let cos = lit.normal.dot(arriving.to_light);
-        let factor = lit.opacity * lit.diffuse * powers(lit, visible, cos.abs(), |finish| finish.brilliance) - zero;
+        let factor = lit.opacity * lit.diffuse * powers(lit, visible, cos.abs(), |finish| finish.brilliance);
         let no_light = Vectors::splat(DVec3::ZERO);
         let mut reflected = Vectors::select(lit.diffuse.equals(zero), no_light, lit.color * factor);
         if has_highlights {

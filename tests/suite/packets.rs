@@ -17,7 +17,8 @@ const TEXTURES: [&str; 6] = [
     "pigment { rgb 0.6 } finish { diffuse 0 ambient 0.3 }",
 ];
 
-/// Textures whose light is computed ray by ray: they transmit light, have grain, or several layers.
+/// Textures whose light is computed ray by ray: they transmit light, have grain, or two layers (the last one, which ends the block of
+/// the first layer by itself).
 const OTHERS: [&str; 4] = [
     "pigment { rgbf <0.9, 1, 0.9, 0.8> } finish { reflection 0.2 specular 0.5 }",
     "pigment { rgb 0.7 } finish { crand 0.1 }",

@@ -2,10 +2,12 @@
 //! rays; the box of an item is tested for each ray.
 
 use super::node::{Kind, WIDTH, Wide};
-use super::{Bvh, Child, Entry, SLACK, STACK, nearest_slot, pad_down};
+use super::{Bvh, SLACK, STACK, nearest_slot, pad_down};
+use crate::math::lanes::for_each_lane;
 use crate::math::packet::{Flags, Numbers, PACKET, RayPacket};
 use crate::math::{Lanes, sign_bits};
 use glam::Vec4;
+use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// A number in single precision for each ray of a packet, or for each child of a node.
@@ -18,17 +20,6 @@ const _: () = assert!(PACKET == WIDTH);
 #[derive(Clone, Copy)]
 struct Marks([u32; PACKET]);
 
-/// Returns the results of a function for each lane.
-macro_rules! for_each_lane {
-    ($i:ident => $result:expr) => {{
-        let mut results = [Default::default(); PACKET];
-        for $i in 0..PACKET {
-            results[$i] = $result;
-        }
-        results
-    }};
-}
-
 impl Singles {
     #[inline(always)]
     fn splat(x: f32) -> Self {
@@ -38,45 +29,45 @@ impl Singles {
     /// Rounds numbers to single precision.
     #[inline(always)]
     fn rounded(numbers: Numbers) -> Self {
-        Self(for_each_lane!(i => numbers.0[i] as f32))
+        Self(for_each_lane!(i < PACKET => numbers.0[i] as f32))
     }
 
     #[inline(always)]
     fn minus(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] - other.0[i]))
+        Self(for_each_lane!(i < PACKET => self.0[i] - other.0[i]))
     }
 
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i] * other.0[i]))
+        Self(for_each_lane!(i < PACKET => self.0[i] * other.0[i]))
     }
 
     /// Returns the smaller numbers. (Unlike `f32::min`, it is one instruction, because it need not treat NaN.)
     #[inline(always)]
     fn least(self, other: Self) -> Self {
-        Self(for_each_lane!(i => if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] }))
+        Self(for_each_lane!(i < PACKET => if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] }))
     }
 
     /// Returns the larger numbers.
     #[inline(always)]
     fn most(self, other: Self) -> Self {
-        Self(for_each_lane!(i => if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] }))
+        Self(for_each_lane!(i < PACKET => if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] }))
     }
 
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(for_each_lane!(i => self.0[i].abs()))
+        Self(for_each_lane!(i < PACKET => self.0[i].abs()))
     }
 
     #[inline(always)]
     fn copysign(self, signs: Self) -> Self {
-        Self(for_each_lane!(i => self.0[i].copysign(signs.0[i])))
+        Self(for_each_lane!(i < PACKET => self.0[i].copysign(signs.0[i])))
     }
 
     /// Returns the lanes in which the number is less than the other or equal, as bits.
     #[inline(always)]
     fn bits_at_most(self, other: Self) -> u32 {
-        sign_bits(for_each_lane!(i => f32::from_bits(if self.0[i] <= other.0[i] { u32::MAX } else { 0 })))
+        sign_bits(for_each_lane!(i < PACKET => f32::from_bits(if self.0[i] <= other.0[i] { u32::MAX } else { 0 })))
     }
 
     /// Returns the least and the largest number.
@@ -91,13 +82,13 @@ impl Singles {
 impl Marks {
     #[inline(always)]
     fn bits(self) -> u32 {
-        sign_bits(for_each_lane!(i => f32::from_bits(self.0[i])))
+        sign_bits(for_each_lane!(i < PACKET => f32::from_bits(self.0[i])))
     }
 
     /// Returns the numbers of `if_true` in the lanes that are true, and those of `if_false` in the others.
     #[inline(always)]
     fn select(self, if_true: Singles, if_false: Singles) -> Singles {
-        Singles(for_each_lane!(i => if self.0[i] != 0 { if_true.0[i] } else { if_false.0[i] }))
+        Singles(for_each_lane!(i < PACKET => if self.0[i] != 0 { if_true.0[i] } else { if_false.0[i] }))
     }
 }
 
@@ -136,7 +127,7 @@ struct AxisBounds {
 #[inline(always)]
 fn padded_up(max: &Numbers, counts: Flags) -> Singles {
     let max = counts.select(*max, Lanes::splat(-1.0));
-    Singles(for_each_lane!(i => super::pad_up(max.0[i])))
+    Singles(for_each_lane!(i < PACKET => super::pad_up(max.0[i])))
 }
 
 /// Returns the reciprocals of directions times a factor, in single precision and at least `smallest` in size.
@@ -201,12 +192,12 @@ impl FlatPacket {
         let (mut near, mut far) = (Singles::splat(self.min), Singles::splat(max));
         for (axis, flat) in self.axes.iter().enumerate() {
             let Some(bounds) = &flat.bounds else { continue };
-            let [slow, fast] = bounds.enter_inverse.map(Singles::splat);
+            let [low, high] = bounds.enter_inverse.map(Singles::splat);
             let distance = planes(node, bounds.side, axis).minus(Singles::splat(bounds.enter));
-            near = near.most(distance.times(slow).least(distance.times(fast)));
-            let [slow, fast] = bounds.leave_inverse.map(Singles::splat);
+            near = near.most(distance.times(low).least(distance.times(high)));
+            let [low, high] = bounds.leave_inverse.map(Singles::splat);
             let distance = planes(node, bounds.side ^ 1, axis).minus(Singles::splat(bounds.leave));
-            far = far.least(distance.times(slow).most(distance.times(fast)));
+            far = far.least(distance.times(low).most(distance.times(high)));
         }
         (near.bits_at_most(far), near.0)
     }
@@ -261,16 +252,13 @@ impl Bvh {
         let flat = FlatPacket::new(rays, counts, min);
         let mut flat_max = padded_up(max, counts);
         let [_, mut last_max] = flat_max.extremes();
-        let mut stack = [Entry { near: 0.0, child: Child::node(0) }; STACK];
-        let mut open = 0;
-        // Overflow of the stack.
-        let mut below = vec![];
+        // Nodes that are to be visited, the next one last, each with a value of `t` before which no ray enters its box
+        let mut stack: SmallVec<[(usize, f32); STACK]> = SmallVec::new();
         let mut number = 0;
         loop {
             let node = &self.nodes[number];
             let (mut mask, near) = flat.may_hit(node, last_max);
-            // Children that are nodes, near ones first
-            let (mut inner, mut n_inner) = ([Entry { near: 0.0, child: Child::node(0) }; WIDTH], 0);
+            let n_before = stack.len();
             while mask != 0 {
                 let slot = nearest_slot(mask, &near);
                 mask &= !(1 << slot);
@@ -278,10 +266,7 @@ impl Bvh {
                     break;
                 }
                 match node.child[slot].kind() {
-                    Kind::Node(_) => {
-                        inner[n_inner] = Entry { near: near[slot], child: node.child[slot] };
-                        n_inner += 1;
-                    }
+                    Kind::Node(child) => stack.push((child, near[slot])),
                     Kind::Items(items) => {
                         let hit = flat.rays_that_hit(node, slot, flat_max) & counting;
                         tests = [tests[0] + 1, tests[1] + hit.count_ones()];
@@ -298,30 +283,14 @@ impl Bvh {
                     }
                 }
             }
-            if open > STACK - WIDTH {
-                below.extend_from_slice(&stack[..open]);
-                open = 0;
-            }
-            for entry in inner[..n_inner].iter().rev() {
-                stack[open] = *entry;
-                open += 1;
-            }
-            loop {
-                let entry = match open.checked_sub(1) {
-                    Some(last) => stack[last],
-                    None => match below.pop() {
-                        Some(entry) => entry,
-                        None => return tests,
-                    },
-                };
-                open = open.saturating_sub(1);
-                if let Kind::Node(next) = entry.child.kind()
-                    && entry.near <= last_max
-                {
-                    number = next;
-                    break;
+            stack[n_before..].reverse();
+            number = loop {
+                match stack.pop() {
+                    Some((next, near)) if near <= last_max => break next,
+                    Some(_) => {}
+                    None => return tests,
                 }
-            }
+            };
         }
     }
 }

@@ -1,9 +1,7 @@
 //! Choice between packets of rays and single rays.
 
-use crate::math::packet::Flags;
+use crate::math::packet::{Flags, MIN_RAYS};
 
-/// Minimum number of rays that are traced as a packet; fewer are quicker one by one.
-const MIN_RAYS: u32 = 3;
 /// Number of tested boxes after which packets are compared with single rays.
 const TESTED_BOXES: u32 = 48;
 /// Mean number of rays that hit a tested box, times two, below which single rays are quicker than packets.
@@ -28,7 +26,7 @@ impl Coherence {
     pub(super) fn next_is_single(&mut self, counts: Flags) -> bool {
         let is_single = self.n_single > 0;
         self.n_single -= u32::from(is_single);
-        is_single || counts.bits().count_ones() < MIN_RAYS
+        is_single || (counts.bits().count_ones() as usize) < MIN_RAYS
     }
 
     /// Records how many boxes a packet tested, and the sum of the numbers of rays that hit each.
