@@ -1,7 +1,8 @@
 //! Lowered cameras: vectors in world space and angles in radians; no `look_at`, degrees or defaults.
 
-use super::perspective::Window;
+use super::perspective::{Window, set_rays_through_window};
 use super::{Bumps, Frame, Lens, MeshRays, Projection};
+use crate::math::packet::{Numbers, PACKET, RayPacket};
 use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 use std::sync::Arc;
@@ -118,5 +119,22 @@ impl View {
             Rays::Window(window) if self.bumps.is_none() => Some(window),
             _ => None,
         }
+    }
+
+    /// Stores the unit camera rays through the first `n` of some points of the picture, as [`Self::ray_at_pixel_position`] does for
+    /// each, and returns those that exist, as bits.
+    pub fn set_rays_at_pixel_positions(&self, x: &Numbers, y: &Numbers, n: usize, rays: &mut RayPacket) -> u32 {
+        if let Some(window) = self.window_of_unperturbed_rays() {
+            set_rays_through_window(window, x, y, rays);
+            return (1 << n) - 1;
+        }
+        let mut existing = 0;
+        for i in 0..n.min(PACKET) {
+            if let Some(ray) = self.ray_at_pixel_position(x.0[i], y.0[i]) {
+                rays.set_ray(i, &ray);
+                existing |= 1 << i;
+            }
+        }
+        existing
     }
 }

@@ -1,7 +1,9 @@
 //! `perspective`: rays from one point through a flat window (manual, "Perspective"; lecture, "Generating rays").
 
 use super::Frame;
-use crate::math::{DVec3, Ray};
+use crate::math::packet::{Numbers, RayPacket, Vectors};
+use crate::math::registers::wide_versions;
+use crate::math::{DVec3, Lanes, Ray};
 use serde::Serialize;
 
 /// Camera rays through a flat window: from `origin` in the direction corner + x·across + y·down, with x and y in pixels
@@ -33,5 +35,15 @@ impl Window {
     pub fn ray_at_pixel_position(&self, x: f64, y: f64) -> Ray {
         let dir = self.corner + self.across * x + self.down * y;
         Ray::new(self.origin, dir.normalize())
+    }
+}
+
+wide_versions! {
+    /// Stores the rays through points of the picture, as [`Window::ray_at_pixel_position`] does for each.
+    pub(super) fn set_rays_through_window(window: &Window, x: &Numbers, y: &Numbers, rays: &mut RayPacket) {
+        let Window { origin, corner, across, down } = window;
+        let dir = Vectors::splat(*corner) + Vectors::splat(*across) * *x + Vectors::splat(*down) * *y;
+        let reciprocal = Lanes::splat(1.0) / dir.length_squared().sqrt();
+        (rays.origin, rays.dir) = (Vectors::splat(*origin), dir * reciprocal);
     }
 }

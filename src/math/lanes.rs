@@ -13,10 +13,12 @@ impl<const N: usize> Real for Lanes<N> {}
 /// Numbers that are computed side by side, each with the bits that it has alone. The compiler puts several into one
 /// register; and long chains of operations take little more time for several numbers than for one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
 /// A truth value for each of several lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(64))]
 pub struct Mask<const N: usize>(
     /// All bits of a lane's number are 1 for true, 0 for false.
     [u64; N],
@@ -52,6 +54,12 @@ impl<const N: usize> Lanes<N> {
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         Self(for_each_lane!(i < N => self.0[i].max(other.0[i])))
+    }
+
+    /// Returns the next larger number of each positive, finite number.
+    #[inline(always)]
+    pub fn next_up_of_positive(self) -> Self {
+        Self(for_each_lane!(i < N => f64::from_bits(self.0[i].to_bits() + 1)))
     }
 
     /// Returns the square root of each number.
@@ -120,6 +128,9 @@ pub fn sign_bits<const N: usize>(numbers: [f32; N]) -> u32 {
 }
 
 impl<const N: usize> Mask<N> {
+    /// Mask that is true in all lanes.
+    pub const ALL: Self = Self([u64::MAX; N]);
+
     /// Mask that is true in no lane.
     pub const NONE: Self = Self([0; N]);
 

@@ -47,16 +47,25 @@ pub fn set_lanes(mut bits: u32) -> impl Iterator<Item = usize> {
 }
 
 impl Vectors {
+    /// The vector 0 for each ray.
+    pub const ZERO: Self = Self { x: Lanes([0.0; PACKET]), y: Lanes([0.0; PACKET]), z: Lanes([0.0; PACKET]) };
+
     /// Returns the same vector for each ray.
     #[inline(always)]
     pub fn splat(v: DVec3) -> Self {
         Self { x: Lanes::splat(v.x), y: Lanes::splat(v.y), z: Lanes::splat(v.z) }
     }
 
+    /// Returns the columns of a matrix, each the same for each ray. (The compiler does not always inline `map` of arrays.)
+    #[inline(always)]
+    fn splat_columns(m: &DMat3) -> [Self; 3] {
+        [Self::splat(m.x_axis), Self::splat(m.y_axis), Self::splat(m.z_axis)]
+    }
+
     /// Returns the vectors of a list.
     #[inline(always)]
     pub fn from_array(list: &[DVec3; PACKET]) -> Self {
-        let mut all = Self::splat(DVec3::ZERO);
+        let mut all = Self::ZERO;
         for (i, v) in list.iter().enumerate() {
             all.set_lane(i, *v);
         }
@@ -134,14 +143,14 @@ impl Vectors {
     #[inline(always)]
     pub fn transformed_as_normals(self, m: &Transform) -> Self {
         let inv = &m.inv.matrix3;
-        let [x, y, z] = [inv.x_axis, inv.y_axis, inv.z_axis].map(Self::splat);
+        let [x, y, z] = Self::splat_columns(inv);
         Self { x: x.dot(self), y: y.dot(self), z: z.dot(self) }
     }
 
     /// Returns the products of a matrix with the vectors.
     #[inline(always)]
     pub fn multiplied_by(self, m: &DMat3) -> Self {
-        let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis].map(Self::splat);
+        let [x, y, z] = Self::splat_columns(m);
         x * self.x + y * self.y + z * self.z
     }
 
@@ -193,6 +202,9 @@ impl Div<Numbers> for Vectors {
 }
 
 impl RayPacket {
+    /// Rays without a direction.
+    pub const ZERO: Self = Self { origin: Vectors::ZERO, dir: Vectors::ZERO };
+
     /// Creates the packet of some rays, at least one; the last one also fills the lanes that are left.
     #[inline(always)]
     pub fn new(n_rays: usize, ray: impl Fn(usize) -> Ray) -> Self {
@@ -214,6 +226,13 @@ impl RayPacket {
     #[inline(always)]
     pub fn ray(&self, i: usize) -> Ray {
         Ray::new(self.origin.lane(i), self.dir.lane(i))
+    }
+
+    /// Sets one ray.
+    #[inline(always)]
+    pub fn set_ray(&mut self, i: usize, ray: &Ray) {
+        self.origin.set_lane(i, ray.origin);
+        self.dir.set_lane(i, ray.dir);
     }
 
     /// Returns the rays in the space of an object, M⁻¹·ray, as [`Transform::inverse_transform_ray`] does.

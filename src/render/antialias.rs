@@ -247,7 +247,8 @@ impl Difference {
     /// values.
     #[inline]
     fn rough_bound_of_distance(&self, a: &Pixel, b: &Pixel) -> f64 {
-        let [a, b] = [a, b].map(|pixel| Vec3A::from_vec4(Vec4::from_array(*pixel)));
+        let rgb = |pixel: &Pixel| Vec3A::from_vec4(Vec4::from_array(*pixel));
+        let (a, b) = (rgb(a), rgb(b));
         let least = a.min(b).min_element();
         let Some(last) = self.slopes.len().checked_sub(1).filter(|_| least >= DARK) else { return f64::INFINITY };
         let difference = f64::from((a - b).abs().element_sum()) * ROUNDING_RESERVE;

@@ -3,11 +3,11 @@
 use super::antialias::rgb_and_transparency;
 use super::pixel_area::Pixel;
 use super::prepare::FrameCamera;
-use crate::camera::Lens;
+use crate::camera::{Lens, View};
 use crate::color::Rgb;
-use crate::math::DVec2;
-use crate::math::packet::PACKET;
-use crate::transport::{CameraSample, FrameContext, Radiance, RadiositySample, Random, RayCounts, Tracer};
+use crate::math::packet::{Numbers, PACKET, set_lanes};
+use crate::math::{DVec2, Lanes};
+use crate::transport::{FrameContext, Radiance, RadiositySample, Random, RayCounts, SamplePacket, Tracer};
 use smallvec::SmallVec;
 
 /// Sampler that takes samples one by one, on one thread. Points are in pixels from the picture's top left corner.
@@ -29,12 +29,36 @@ pub(super) struct SamplePoint {
     pub sample: u64,
 }
 
-/// Consecutive samples that wait until a packet is full.
-#[derive(Default)]
-struct WaitingSamples {
-    /// Index of the first sample.
-    first: usize,
-    samples: SmallVec<[CameraSample; PACKET]>,
+/// Consecutive samples that are taken side by side. (One value for all packets of a picture's part, which is not copied.)
+struct PointPacket {
+    /// Number of points.
+    n: usize,
+    x_pixels: Numbers,
+    y_pixels: Numbers,
+    /// The samples through the points.
+    samples: SamplePacket,
+}
+
+impl PointPacket {
+    fn new() -> Self {
+        let zero = Lanes::splat(0.0);
+        Self { n: 0, x_pixels: zero, y_pixels: zero, samples: SamplePacket::NONE }
+    }
+
+    /// Replaces the samples by those of the next points. False if there are none.
+    #[inline(always)]
+    fn take_next(&mut self, view: &View, points: &mut impl Iterator<Item = SamplePoint>) -> bool {
+        self.n = 0;
+        let samples = &mut self.samples;
+        for SamplePoint { x_pixels, y_pixels, pixel, sample } in points.take(PACKET) {
+            let i = self.n % PACKET;
+            (self.x_pixels.0[i], self.y_pixels.0[i]) = (x_pixels, y_pixels);
+            (samples.pixel[i], samples.sample[i]) = (pixel, sample);
+            self.n += 1;
+        }
+        samples.existing = view.set_rays_at_pixel_positions(&self.x_pixels, &self.y_pixels, self.n, &mut samples.rays);
+        self.n > 0
+    }
 }
 
 impl<'w> Sampler<'w> {
@@ -64,6 +88,11 @@ impl<'w> Sampler<'w> {
     /// True if the render was cancelled, so that later samples are invalid.
     pub fn is_stopped(&self) -> bool {
         self.tracer.is_stopped()
+    }
+
+    /// True if many samples together are taken more quickly than few.
+    pub fn is_quicker_with_many_points(&self) -> bool {
+        self.tracer.lights_packets()
     }
 
     /// Returns the numbers of rays traced so far.
@@ -106,76 +135,43 @@ impl<'w> Sampler<'w> {
             points.into_iter().enumerate().for_each(|(index, point)| visit(index, self.sample_at(&point)));
             return;
         }
-        let window = view.window_of_unperturbed_rays();
-        let sample = |SamplePoint { x_pixels, y_pixels, pixel, sample }| {
-            let ray = match window {
-                Some(window) => window.ray_at_pixel_position(x_pixels, y_pixels),
-                None => view.ray_at_pixel_position(x_pixels, y_pixels)?,
-            };
-            Some(CameraSample { ray, pixel, sample })
-        };
-        self.take_samples(points.into_iter().map(sample), |index, radiance| {
-            visit(index, rgb_and_transparency(radiance));
-        });
+        let (mut points, mut first, mut packet) = (points.into_iter(), 0, PointPacket::new());
+        while !self.tracer.poll_is_stopped() && packet.take_next(view, &mut points) {
+            let mut radiances = [Radiance::NO_RAY; PACKET];
+            self.tracer.camera_radiances(&packet.samples, &mut radiances);
+            for (i, radiance) in radiances.iter().enumerate().take(packet.n) {
+                visit(first + i, rgb_and_transparency(radiance));
+            }
+            first += packet.n;
+        }
     }
 
     /// Takes samples through points of the picture and the points of the lens beside them, which are in [0, 1)², and calls
     /// `visit` with the radiance of each, in order. Samples are left out after the render was cancelled.
     pub fn lens_samples(
         &mut self,
-        points: impl Iterator<Item = (SamplePoint, DVec2)>,
+        mut points: impl Iterator<Item = (SamplePoint, DVec2)>,
         lens: &Lens,
         mut visit: impl FnMut(&Radiance),
     ) {
         let FrameCamera { view, axes, .. } = self.camera;
-        let sample = |(point, unit_square_point): (SamplePoint, DVec2)| {
-            let SamplePoint { x_pixels, y_pixels, pixel, sample } = point;
-            let ray = view.ray_at_pixel_position(x_pixels, y_pixels)?;
-            Some(CameraSample { ray: lens.ray_through_lens(&ray, unit_square_point, axes), pixel, sample })
-        };
-        self.take_samples(points.map(sample), |_, radiance| visit(radiance));
-    }
-
-    /// Takes samples, and calls `visit` with the index and the radiance of each, in order; `None` for a sample without a camera
-    /// ray.
-    fn take_samples(
-        &mut self,
-        samples: impl Iterator<Item = Option<CameraSample>>,
-        mut visit: impl FnMut(usize, &Radiance),
-    ) {
-        let mut waiting = WaitingSamples::default();
-        for (index, sample) in samples.enumerate() {
-            match sample {
-                Some(sample) => {
-                    waiting.samples.push(sample);
-                    if waiting.samples.len() == PACKET {
-                        self.take_waiting_samples(&mut waiting, index + 1, &mut visit);
-                    }
-                }
-                None => {
-                    self.take_waiting_samples(&mut waiting, index + 1, &mut visit);
-                    visit(index, &Radiance::NO_RAY);
-                }
+        let mut packet = PointPacket::new();
+        while !self.tracer.poll_is_stopped() {
+            let mut lens_points: SmallVec<[DVec2; PACKET]> = SmallVec::new();
+            let mut picture_points = points.by_ref().map(|(point, lens_point)| {
+                lens_points.push(lens_point);
+                point
+            });
+            if !packet.take_next(view, &mut picture_points) {
+                break;
             }
-        }
-        self.take_waiting_samples(&mut waiting, 0, &mut visit);
-    }
-
-    /// Takes the samples that wait, and begins a new list of them at the index `next`.
-    fn take_waiting_samples(
-        &mut self,
-        waiting: &mut WaitingSamples,
-        next: usize,
-        visit: &mut impl FnMut(usize, &Radiance),
-    ) {
-        if !self.tracer.poll_is_stopped() {
+            let samples = &mut packet.samples;
+            for i in set_lanes(samples.existing) {
+                samples.rays.set_ray(i, &lens.ray_through_lens(&samples.rays.ray(i), lens_points[i], axes));
+            }
             let mut radiances = [Radiance::NO_RAY; PACKET];
-            self.tracer.camera_radiances(&waiting.samples, &mut radiances[..waiting.samples.len()]);
-            for (i, radiance) in radiances.iter().enumerate().take(waiting.samples.len()) {
-                visit(waiting.first + i, radiance);
-            }
+            self.tracer.camera_radiances(samples, &mut radiances);
+            radiances.iter().take(packet.n).for_each(&mut visit);
         }
-        waiting.samples.clear();
-        waiting.first = next;
     }
 }

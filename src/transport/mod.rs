@@ -32,7 +32,7 @@ mod tracer;
 mod visibility;
 
 pub use context::{CameraOrigin, FrameContext, Quality};
-pub use packet::CameraSample;
+pub use packet::SamplePacket;
 pub use photons::{PhotonPass, Photons};
 pub use radiance::Radiance;
 pub use radiosity::{RadiosityPass, RadiosityState, Sample as RadiositySample};

@@ -10,48 +10,61 @@ use super::single_layer::SingleLayerPoint;
 use super::tracer::Tracer;
 use crate::atmosphere::Segment;
 use crate::color::{Rgb, gray};
-use crate::math::packet::{MIN_RAYS, PACKET, RayPacket};
+use crate::math::packet::{MIN_RAYS, Numbers, PACKET, RayPacket, Vectors, set_lanes};
 use crate::math::{Mask, Ray};
 use crate::world::{ClosestHits, Intersection, RayKind, Surface, surfaces_of_packet};
 use smallvec::SmallVec;
 
-/// A sample of the picture: a camera ray, and the key of its random numbers.
+/// Samples of the picture whose camera rays are traced side by side.
 #[derive(Clone, Copy, Debug)]
-pub struct CameraSample {
-    /// The camera ray, whose direction has length 1.
-    pub ray: Ray,
-    /// Key of the pixel.
-    pub pixel: u64,
-    /// Number of the sample in the pixel.
-    pub sample: u64,
+pub struct SamplePacket {
+    /// The camera rays, whose directions have length 1.
+    pub rays: RayPacket,
+    /// Samples that have a camera ray, as bits.
+    pub existing: u32,
+    /// Keys of the pixels.
+    pub pixel: [u64; PACKET],
+    /// Numbers of the samples in their pixels.
+    pub sample: [u64; PACKET],
 }
 
-/// A camera ray, or a ray to which reflections have turned it.
-#[derive(Clone, Copy)]
-struct PacketRay {
-    /// Index of the ray's sample.
-    index: usize,
-    ray: Ray,
-    /// Importance of the ray, see [`RayState::weight`].
-    weight: f64,
-    /// Factor of the ray's radiance in the sample.
-    throughput: Rgb,
+impl SamplePacket {
+    /// Packet without samples.
+    pub const NONE: Self = Self { rays: RayPacket::ZERO, existing: 0, pixel: [0; PACKET], sample: [0; PACKET] };
 }
 
-type PacketRays = SmallVec<[PacketRay; PACKET]>;
-
-/// Points with mirrors, each with the index of its ray.
-type Mirrors<'w> = SmallVec<[(usize, PlainPoint<'w>); PACKET]>;
-
-/// The rays of a packet, which have reached the same vertex of their samples' ray trees.
+/// The camera rays of samples, or the rays to which as many reflections have turned them.
 struct Packet<'a> {
-    samples: &'a [CameraSample],
-    rays: PacketRays,
+    samples: &'a SamplePacket,
+    rays: RayPacket,
+    /// Rays that are still to be traced, as bits.
+    active: u32,
+    /// Importance of each ray, see [`RayState::weight`].
+    weight: Numbers,
+    /// Factor of each ray's radiance in its sample: red, green and blue.
+    throughput: Vectors,
     /// Number of reflections before.
     vertex: u32,
 }
 
-impl Packet<'_> {
+/// A ray that a mirror reflects.
+struct ReflectedRay {
+    /// Number of the ray in the packet.
+    lane: usize,
+    ray: Ray,
+    weight: f64,
+    throughput: Rgb,
+}
+
+type ReflectedRays = SmallVec<[ReflectedRay; PACKET]>;
+
+impl<'a> Packet<'a> {
+    /// Creates the packet of the samples' camera rays.
+    fn new(samples: &'a SamplePacket) -> Self {
+        let throughput = Vectors::splat(Rgb::ONE);
+        Self { samples, rays: samples.rays, active: samples.existing, weight: throughput.x, throughput, vertex: 0 }
+    }
+
     /// True if the rays were reflected.
     fn is_reflected(&self) -> bool {
         self.vertex > 0
@@ -61,140 +74,140 @@ impl Packet<'_> {
     fn transparency(&self) -> f64 {
         if self.is_reflected() { 0.0 } else { 1.0 }
     }
+
+    /// Replaces the rays by those that are reflected.
+    fn reflect(&mut self, reflected: &[ReflectedRay]) {
+        (self.active, self.vertex) = (0, self.vertex + 1);
+        for ReflectedRay { lane, ray, weight, throughput } in reflected {
+            self.active |= 1 << lane;
+            self.rays.set_ray(*lane, ray);
+            self.weight.0[*lane] = *weight;
+            self.throughput.set_lane(*lane, *throughput);
+        }
+    }
 }
 
 impl<'w> Tracer<'w> {
-    /// Returns the radiances of several samples: the same as [`Self::begin_sample`] and [`Self::camera_radiance`] for each of
-    /// them. `radiances` has as many elements as `samples`.
-    pub fn camera_radiances(&mut self, samples: &[CameraSample], radiances: &mut [Radiance]) {
-        for (samples, radiances) in samples.chunks(PACKET).zip(radiances.chunks_mut(PACKET)) {
-            radiances.fill(Radiance::ZERO);
-            self.counts.camera += samples.len() as u64;
-            let rays = samples.iter().enumerate();
-            let rays =
-                rays.map(|(index, sample)| PacketRay { index, ray: sample.ray, weight: 1.0, throughput: Rgb::ONE });
-            let mut packet = Packet { samples, rays: rays.collect(), vertex: 0 };
-            while packet.rays.len() >= MIN_RAYS && !self.is_stopped() {
-                self.trace_packet(&mut packet, radiances);
-            }
-            for ray in &packet.rays {
-                let state = self.begin_ray_of_packet(&packet, ray);
-                self.add_radiance_times_throughput(state, &mut radiances[ray.index]);
-            }
+    /// Stores the radiances of several samples: those of [`Self::begin_sample`] and [`Self::camera_radiance`] for each of them, and
+    /// [`Radiance::NO_RAY`] for those without a camera ray.
+    pub fn camera_radiances(&mut self, samples: &SamplePacket, radiances: &mut [Radiance; PACKET]) {
+        for (i, radiance) in radiances.iter_mut().enumerate() {
+            *radiance = if samples.existing >> i & 1 == 1 { Radiance::ZERO } else { Radiance::NO_RAY };
+        }
+        self.counts.camera += u64::from(samples.existing.count_ones());
+        let mut packet = Packet::new(samples);
+        while packet.active.count_ones() as usize >= MIN_RAYS && !self.is_stopped() {
+            self.trace_packet(&mut packet, radiances);
+        }
+        for i in set_lanes(packet.active) {
+            let state = self.begin_ray_of_packet(&packet, i);
+            self.add_radiance_times_throughput(state, &mut radiances[i]);
         }
     }
 
     /// Traces the rays of a packet to their first hits, and adds the light there to the radiances of their samples. Rays that plain
     /// surfaces reflect are left in the packet; others are traced to their ends.
-    fn trace_packet(&mut self, packet: &mut Packet, radiances: &mut [Radiance]) {
+    fn trace_packet(&mut self, packet: &mut Packet, radiances: &mut [Radiance; PACKET]) {
         let world = self.context.world;
-        let rays = RayPacket::new(packet.rays.len(), |i| packet.rays[i].ray);
         let kind = if packet.is_reflected() { RayKind::Reflected } else { RayKind::Camera };
         let range = self.range_of(kind);
         let mut hits = ClosestHits::default();
         let is_visible = |id: u32| world.objects[id as usize].is_visible_to(kind);
-        let counts = Mask::from_fn(|i| i < packet.rays.len());
+        let counts = Mask::from_bits(packet.active);
         let found = (&mut hits, &mut self.coherence[usize::from(packet.is_reflected())]);
-        world.geometry.find_closest_of_packet(&rays, counts, range, is_visible, found);
-        let mut lit = LitPoints::new(&rays);
-        let mirrors = self.shade_hits_of_packet(packet, &rays, &hits, &mut lit, radiances);
-        if !lit.is_empty() {
-            self.add_light_of_sources_to_points(&mut lit);
-            for (i, light) in lit.light() {
-                let ray = &packet.rays[i];
-                radiances[ray.index].rgb += ray.throughput * light;
-            }
-        }
-        packet.rays = mirrors.iter().filter_map(|mirror| self.reflect_ray_of_packet(packet, &hits, mirror)).collect();
-        packet.vertex += 1;
+        world.geometry.find_closest_of_packet(&packet.rays, counts, range, is_visible, found);
+        let reflected = self.shade_hits_of_packet(packet, &hits, radiances);
+        packet.reflect(&reflected);
     }
 
-    /// Evaluates the surfaces at the hits of a packet: adds points of plain surfaces to `lit`, and the radiances of other rays to
-    /// those of their samples. Returns the points with mirrors.
+    /// Adds the light at the hits of a packet's rays to the radiances of their samples. Returns the rays that plain surfaces
+    /// reflect; traces all others to their ends.
     #[inline(always)]
     fn shade_hits_of_packet(
         &mut self,
         packet: &mut Packet,
-        rays: &RayPacket,
         hits: &ClosestHits<'w>,
-        lit: &mut LitPoints<'w>,
-        radiances: &mut [Radiance],
-    ) -> Mirrors<'w> {
+        radiances: &mut [Radiance; PACKET],
+    ) -> ReflectedRays {
         let mut plain = 0;
         for (i, hit) in hits.iter().enumerate() {
             plain |= u32::from(hit.as_ref().is_some_and(|hit| self.may_be_lit_in_packet(hit))) << i;
         }
-        let surfaces = surfaces_of_packet(rays, hits, plain);
-        let (mut mirrors, has_air) = (Mirrors::new(), self.has_air());
-        for (i, hit) in hits.iter().enumerate().take(packet.rays.len()) {
-            let ray = packet.rays[i];
-            let radiance = &mut radiances[ray.index];
-            match hit {
+        let surfaces = surfaces_of_packet(&packet.rays, hits, plain);
+        let mut lit = LitPoints::new();
+        let (mut reflected, has_air) = (ReflectedRays::new(), self.has_air());
+        for i in set_lanes(packet.active) {
+            let (ray, radiance) = (packet.rays.ray(i), &mut radiances[i]);
+            match &hits[i] {
                 None if self.lights_packets && !has_air => {
-                    let sky = Segment::NONE.in_front_of(self.background(ray.ray.dir, packet.is_reflected()));
-                    radiance.rgb += ray.throughput * sky.radiance;
+                    let sky = Segment::NONE.in_front_of(self.background(ray.dir, packet.is_reflected()));
+                    radiance.rgb += packet.throughput.lane(i) * sky.radiance;
                     radiance.transparency += packet.transparency() * gray(sky.transmittance);
                 }
                 Some(hit)
                     if plain >> i & 1 == 1
-                        && let Some(at) = self.plain_point(&ray.ray, (hit, &surfaces.lane(i))) =>
+                        && let Some(at) = self.plain_point(&ray, (hit, &surfaces.lane(i))) =>
                 {
                     if has_air {
-                        let state = self.state_of_ray(packet, &ray);
-                        let air = self.segment(&state, &Span::from_origin(hit.t()), 0);
-                        radiance.rgb += ray.throughput * air.radiance;
-                        packet.rays[i].throughput *= air.transmittance;
+                        let air = self.segment(&self.state_of_ray(packet, i), &Span::from_origin(hit.t()), 0);
+                        let throughput = packet.throughput.lane(i);
+                        radiance.rgb += throughput * air.radiance;
+                        packet.throughput.set_lane(i, throughput * air.transmittance);
                     }
-                    let camera_origin = packet.samples[ray.index].ray.origin;
-                    lit.add(i, &at, camera_origin, self.context.has_ambient);
+                    lit.add(i, &at, self.context.has_ambient);
                     if at.has_mirror() {
-                        mirrors.push((i, at));
+                        reflected.extend(self.reflect_ray_of_packet(packet, i, (hit, &at)));
                     }
                 }
                 hit => {
-                    let state = self.begin_ray_of_packet(packet, &ray);
+                    let state = self.begin_ray_of_packet(packet, i);
                     self.add_radiance_from_first_hit(state, hit.as_ref(), radiance);
                 }
             }
         }
-        mirrors
+        if !lit.is_empty() {
+            self.add_light_of_sources_to_points(&mut lit, &packet.rays, &packet.samples.rays);
+            for (i, light) in lit.light() {
+                radiances[i].rgb += packet.throughput.lane(i) * light;
+            }
+        }
+        reflected
     }
 
     /// Returns the ray that the mirror at the hit of a packet's ray reflects; `None` if it reflects none.
     fn reflect_ray_of_packet(
         &mut self,
         packet: &Packet,
-        hits: &ClosestHits,
-        (i, at): &(usize, PlainPoint<'w>),
-    ) -> Option<PacketRay> {
-        let (ray, hit) = (&packet.rays[*i], hits[*i].as_ref()?);
-        let mut state = self.state_of_ray(packet, ray);
+        lane: usize,
+        (hit, at): (&Intersection<'w>, &PlainPoint<'w>),
+    ) -> Option<ReflectedRay> {
+        let mut state = self.state_of_ray(packet, lane);
         let is_reflected = self.reflect_at_plain_point(&mut state, hit, at);
-        let RayState { ray: reflected, weight, throughput, .. } = state;
-        is_reflected.then_some(PacketRay { index: ray.index, ray: reflected, weight, throughput })
+        let RayState { ray, weight, throughput, .. } = state;
+        is_reflected.then_some(ReflectedRay { lane, ray, weight, throughput })
     }
 
     /// Returns the state of a packet's ray.
-    fn state_of_ray(&self, packet: &Packet, ray: &PacketRay) -> RayState {
-        let inside = self.context.interiors_of_camera_ray(packet.samples[ray.index].ray.origin);
+    fn state_of_ray(&self, packet: &Packet, i: usize) -> RayState {
+        let inside = self.context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
         RayState {
             level: packet.vertex + 1,
-            weight: ray.weight,
-            throughput: ray.throughput,
+            weight: packet.weight.0[i],
+            throughput: packet.throughput.lane(i),
             transparency: packet.transparency(),
             is_reflected: packet.is_reflected(),
             n_surfaces: packet.vertex,
-            ..RayState::camera(ray.ray, inside)
+            ..RayState::camera(packet.rays.ray(i), inside)
         }
     }
 
-    /// Starts the ray's sample, as [`Self::begin_sample`], at the vertex of its ray tree that the packet has reached, and returns
-    /// the ray's state.
-    fn begin_ray_of_packet(&mut self, packet: &Packet, ray: &PacketRay) -> RayState {
-        let CameraSample { pixel, sample, .. } = packet.samples[ray.index];
+    /// Starts the sample of a packet's ray, as [`Self::begin_sample`], at the vertex of its ray tree that the packet has reached,
+    /// and returns the ray's state.
+    fn begin_ray_of_packet(&mut self, packet: &Packet, i: usize) -> RayState {
+        let (pixel, sample) = (packet.samples.pixel[i], packet.samples.sample[i]);
         self.begin_sample(pixel, sample);
         self.random.begin_vertex(pixel, sample, u64::from(packet.vertex));
-        self.state_of_ray(packet, ray)
+        self.state_of_ray(packet, i)
     }
 
     /// True if the material at a hit is plain, so that its light can be computed in a packet.

@@ -21,10 +21,6 @@ pub(super) struct LitPoints<'w> {
     /// Lanes with a point of a surface that reflects light, as bits.
     reflecting: u32,
     point: Vectors,
-    /// Directions of the rays.
-    dir: Vectors,
-    /// Origins of the camera rays from which the rays come.
-    camera_origin: Vectors,
     /// Normals with bumps, length 1.
     normal: Vectors,
     /// Red, green and blue of the pigments.
@@ -49,16 +45,14 @@ struct ArrivingLight {
 }
 
 impl<'w> LitPoints<'w> {
-    /// Creates an empty list for the rays of a packet.
+    /// Creates an empty list.
     #[inline(always)]
-    pub fn new(packet: &RayPacket) -> Self {
-        let zero = Vectors::splat(DVec3::ZERO);
+    pub fn new() -> Self {
+        let zero = Vectors::ZERO;
         Self {
             existing: 0,
             reflecting: 0,
             point: zero,
-            dir: packet.dir,
-            camera_origin: zero,
             normal: zero,
             color: zero,
             opacity: zero.x,
@@ -69,13 +63,12 @@ impl<'w> LitPoints<'w> {
         }
     }
 
-    /// Adds the point of ray `i`, with the light that it emits. The ray comes from a camera ray with this origin.
+    /// Adds the point of ray `i`, with the light that it emits.
     #[inline(always)]
-    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, camera_origin: DVec3, has_ambient: bool) {
+    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, has_ambient: bool) {
         let shaded = &at.shaded;
         let finish: &'w LoweredFinish = &shaded.layer.finish;
         self.point.set_lane(i, at.point);
-        self.camera_origin.set_lane(i, camera_origin);
         self.normal.set_lane(i, shaded.normal);
         self.color.set_lane(i, shaded.color.rgb);
         self.light.set_lane(i, shaded.weight * emitted_light(shaded, has_ambient));
@@ -98,18 +91,18 @@ impl<'w> LitPoints<'w> {
 }
 
 impl Tracer<'_> {
-    /// Adds the light of sources that the points reflect along the rays. The sources are points: see
-    /// [`Tracer::lights_packets`](super::tracer::Tracer).
-    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut LitPoints) {
+    /// Adds the light of sources that the points reflect along the rays, which come from the rays `camera`. The sources are points:
+    /// see [`Tracer::lights_packets`](super::tracer::Tracer).
+    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut LitPoints, rays: &RayPacket, camera: &RayPacket) {
         let world = self.context.world;
         // (Parts without uncommon properties belong to the first set.)
         for &number in &world.lit_by[0] {
-            self.add_reflected_light(&world.lights[number as usize], lit);
+            self.add_reflected_light(&world.lights[number as usize], lit, rays, camera);
         }
     }
 
     /// Adds the light of a point light that the points reflect along the rays.
-    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints) {
+    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints, rays: &RayPacket, camera: &RayPacket) {
         let arriving = match light.emitter.is_even_point() {
             true => arriving_from_point(light.emitter.location, light.emitter.color, lit),
             false => ArrivingLight::new(lit, |point| light.emitter.sample(point, DVec3::ZERO)),
@@ -118,9 +111,9 @@ impl Tracer<'_> {
         if !faces.any() {
             return;
         }
-        let (visible, share) = self.visibility_of_packet(light, lit, &arriving, faces);
+        let (visible, share) = self.visibility_of_packet(light, (lit, camera), &arriving, faces);
         if visible.any() {
-            add_reflected(lit, &arriving, &share, visible, !light.emitter.shadowless);
+            add_reflected(lit, &rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
         }
     }
 
@@ -128,7 +121,7 @@ impl Tracer<'_> {
     fn visibility_of_packet(
         &mut self,
         light: &LightSource,
-        lit: &LitPoints,
+        (lit, camera): (&LitPoints, &RayPacket),
         arriving: &ArrivingLight,
         faces: Flags,
     ) -> (Flags, Vectors) {
@@ -141,18 +134,13 @@ impl Tracer<'_> {
         if !casts_shadows || !has_ray.any() {
             return (faces, share);
         }
-        // The rays that do not count are like the first one, so that the packet is narrow.
-        let first = has_ray.bits().trailing_zeros() as usize % PACKET;
-        let packet = RayPacket {
-            origin: Vectors::select(has_ray, lit.point, Vectors::splat(lit.point.lane(first))),
-            dir: Vectors::select(has_ray, arriving.to_light, Vectors::splat(arriving.to_light.lane(first))),
-        };
+        let packet = RayPacket { origin: lit.point, dir: arriving.to_light };
         let role = |id: u32| world.shadow_role(id);
         let hints = (&mut self.occluders[light.number], &mut self.shadow_coherence);
         let occlusion = world.geometry.occlusion_of_packet(&packet, has_ray, (epsilon, &max), role, hints);
         self.counts.shadow += u64::from((has_ray & !occlusion.may_be_filtered).bits().count_ones());
         for i in set_lanes(occlusion.may_be_filtered.bits()) {
-            let inside = self.context.interiors_of_camera_ray(lit.camera_origin.lane(i));
+            let inside = self.context.interiors_of_camera_ray(camera.origin.lane(i));
             let transmitted = self.visibility_along_ray(light, &packet.ray(i), arriving.distance.0[i], &inside);
             share.set_lane(i, transmitted);
         }
@@ -164,7 +152,7 @@ impl ArrivingLight {
     /// Samples a light at each point.
     #[inline(always)]
     fn new(lit: &LitPoints, sample: impl Fn(DVec3) -> LightSample) -> Self {
-        let zero = Vectors::splat(DVec3::ZERO);
+        let zero = Vectors::ZERO;
         let mut all = Self { to_light: zero, distance: Lanes::splat(0.0), light: zero };
         for i in set_lanes(lit.existing) {
             let LightSample { to_light, distance, light } = sample(lit.point.lane(i));
@@ -198,19 +186,20 @@ wide_versions! {
     /// Adds the light that the points `visible` reflect; `share` is the share of the light that is visible from them.
     fn add_reflected(
         lit: &mut LitPoints,
+        dir: &Vectors,
         arriving: &ArrivingLight,
         share: &Vectors,
-        visible: Flags,
-        has_highlights: bool,
+        which: (Flags, bool),
     ) {
+        let (visible, has_highlights) = which;
         let zero = Lanes::splat(0.0);
         let light = arriving.light.times(*share);
         let cos = lit.normal.dot(arriving.to_light);
         let factor = lit.opacity * lit.diffuse * powers(lit, visible, cos.abs(), |finish| finish.brilliance);
-        let no_light = Vectors::splat(DVec3::ZERO);
+        let no_light = Vectors::ZERO;
         let mut reflected = Vectors::select(lit.diffuse.equals(zero), no_light, lit.color * factor);
         if has_highlights {
-            reflected = reflected + highlights(lit, arriving, cos, visible);
+            reflected = reflected + highlights(lit, dir, arriving, cos, visible);
         }
         // (Light that is black is not reflected.)
         let is_lit = visible & !light.is_zero();
@@ -236,7 +225,7 @@ fn powers(lit: &LitPoints, visible: Flags, numbers: Numbers, exponent: fn(&Lower
 /// Returns the shares of incident light that the points `visible` reflect as highlights, as
 /// [`super::direct_light::highlight_factor`] does.
 #[inline(always)]
-fn highlights(lit: &LitPoints, arriving: &ArrivingLight, cos: Numbers, visible: Flags) -> Vectors {
+fn highlights(lit: &LitPoints, dir: &Vectors, arriving: &ArrivingLight, cos: Numbers, visible: Flags) -> Vectors {
     let (mut phong, mut specular, mut metallic) = (0, 0, 0);
     for i in set_lanes(visible.bits()) {
         let Some(finish) = lit.finish[i] else { continue };
@@ -247,12 +236,12 @@ fn highlights(lit: &LitPoints, arriving: &ArrivingLight, cos: Numbers, visible: 
     let zero = Lanes::splat(0.0);
     let mut amount = zero;
     if phong != 0 {
-        let twice = 2.0 * lit.dir.dot(lit.normal);
-        let mirror_cos = (lit.dir - lit.normal * twice).dot(arriving.to_light);
+        let twice = 2.0 * dir.dot(lit.normal);
+        let mirror_cos = (*dir - lit.normal * twice).dot(arriving.to_light);
         amount = amount + lobes(lit, mirror_cos, phong, |finish| &finish.phong);
     }
     if specular != 0 {
-        let half_cos = lit.normal.dot((arriving.to_light - lit.dir).normalize_or(Vectors::splat(DVec3::ZERO)));
+        let half_cos = lit.normal.dot((arriving.to_light - *dir).normalize_or(Vectors::ZERO));
         amount = amount + lobes(lit, half_cos, specular, |finish| &finish.specular);
     }
     let mut tint = Vectors::splat(Rgb::ONE);
@@ -260,7 +249,7 @@ fn highlights(lit: &LitPoints, arriving: &ArrivingLight, cos: Numbers, visible: 
         let tint_of = |finish: &LoweredFinish| metal_tint(finish.metallic, cos.0[i], lit.color.lane(i));
         tint.set_lane(i, lit.finish[i].map_or(Rgb::ONE, tint_of));
     }
-    Vectors::select(amount.equals(zero), Vectors::splat(DVec3::ZERO), tint * amount)
+    Vectors::select(amount.equals(zero), Vectors::ZERO, tint * amount)
 }
 
 /// Returns the strengths of the highlights of the points `counting`, and 0 for the others.

@@ -125,6 +125,11 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// True if the light of plain surfaces is computed in packets.
+    pub fn lights_packets(&self) -> bool {
+        self.lights_packets
+    }
+
     /// True if the tracer was cancelled, so that its results are invalid.
     pub fn is_stopped(&self) -> bool {
         self.stopped

@@ -192,10 +192,12 @@ impl FlatPacket {
         let (mut near, mut far) = (Singles::splat(self.min), Singles::splat(max));
         for (axis, flat) in self.axes.iter().enumerate() {
             let Some(bounds) = &flat.bounds else { continue };
-            let [low, high] = bounds.enter_inverse.map(Singles::splat);
+            let [low, high] = bounds.enter_inverse;
+            let (low, high) = (Singles::splat(low), Singles::splat(high));
             let distance = planes(node, bounds.side, axis).minus(Singles::splat(bounds.enter));
             near = near.most(distance.times(low).least(distance.times(high)));
-            let [low, high] = bounds.leave_inverse.map(Singles::splat);
+            let [low, high] = bounds.leave_inverse;
+            let (low, high) = (Singles::splat(low), Singles::splat(high));
             let distance = planes(node, bounds.side ^ 1, axis).minus(Singles::splat(bounds.leave));
             far = far.least(distance.times(low).most(distance.times(high)));
         }

@@ -154,8 +154,8 @@ impl Around {
         let mut least = [[f64::INFINITY; 4]; 3];
         for four in sums.chunks_exact(4) {
             for lane in 0..4 {
-                let [first, second, third] = least.map(|row| row[lane]);
-                let [first, second, third] = insert_into_three_smallest([first, second, third], four[lane]);
+                let before = [least[0][lane], least[1][lane], least[2][lane]];
+                let [first, second, third] = insert_into_three_smallest(before, four[lane]);
                 (least[0][lane], least[1][lane], least[2][lane]) = (first, second, third);
             }
         }

@@ -4,7 +4,7 @@ use super::coherence::Coherence;
 use super::{Blocker, Geometry, Item, ShadowRole};
 use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
-use crate::math::{DVec3, Lanes, Mask, Range};
+use crate::math::{Lanes, Mask, Range};
 use crate::shape::{Hit, Kernel, PacketHits};
 use crate::world::leaf::{self, Intersection, Leaf, Surface};
 use std::ops::ControlFlow;
@@ -121,8 +121,8 @@ wide_versions! {
             });
         }
         let OcclusionSearch { occluded, filtered, .. } = search;
-        let [occluded, may_be_filtered] = [occluded, filtered & !occluded].map(Mask::from_bits);
-        (PacketOcclusion { occluded, may_be_filtered }, tests)
+        let may_be_filtered = Mask::from_bits(filtered & !occluded);
+        (PacketOcclusion { occluded: Mask::from_bits(occluded), may_be_filtered }, tests)
     }
 }
 
@@ -147,7 +147,7 @@ wide_versions! {
     /// Returns points and normals of the hits of those rays of a packet that `lanes` has as bits, as [`Intersection::surface`] does
     /// for each.
     pub fn surfaces_of_packet<'a>(rays: &RayPacket, hits: &ClosestHits<'a>, lanes: u32) -> PacketSurfaces {
-        let zero = Vectors::splat(DVec3::ZERO);
+        let zero = Vectors::ZERO;
         let mut all = PacketSurfaces { point: zero, normal: zero, object_point: zero };
         let (mut own_hits, mut t, mut left) = ([Hit::on_single_piece(0.0); PACKET], Lanes::splat(0.0), 0);
         for i in set_lanes(lanes) {
