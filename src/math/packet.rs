@@ -1,7 +1,7 @@
 //! Packets of rays, which are traced side by side (Wald, Slusallek, Benthin and Wagner, Interactive rendering with coherent ray
 //! tracing, 2001). Each ray of a packet has the bits that it has alone.
 
-use super::{DAffine3, DMat3, DVec3, Lanes, Mask, Ray, Transform};
+use super::{Aabb, DAffine3, DMat3, DVec3, Lanes, Mask, Ray, Transform};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Number of rays in a packet.
@@ -239,6 +239,23 @@ impl RayPacket {
     #[inline(always)]
     pub fn inverse_transformed(&self, m: &Transform) -> Self {
         Self { origin: self.origin.transformed_as_points(&m.inv), dir: self.dir.multiplied_by(&m.inv.matrix3) }
+    }
+
+    /// Returns for which rays, in ranges of parameters, some point is in a box, and the parts of the ranges in the box, as
+    /// [`Aabb::slabs`] does.
+    #[inline(always)]
+    pub fn slabs(&self, around: &Aabb, min: Numbers, max: Numbers) -> (Flags, Numbers, Numbers) {
+        let (mut near, mut far) = (min, max);
+        for (axis, (o, v)) in self.origin.axes().into_iter().zip(self.dir.axes()).enumerate() {
+            let inverse = Lanes::splat(1.0) / v;
+            let lo = (Lanes::splat(around.min[axis]) - o) * inverse;
+            let hi = (Lanes::splat(around.max[axis]) - o) * inverse;
+            let is_reversed = inverse.less_than(Lanes::splat(0.0));
+            let (enter, leave) = (is_reversed.select(hi, lo), is_reversed.select(lo, hi));
+            near = near.less_than(enter).select(enter, near);
+            far = leave.less_than(far).select(leave, far);
+        }
+        (near.at_most(far), near, far)
     }
 
     /// True for the rays whose coordinates are all finite.

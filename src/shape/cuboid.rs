@@ -7,7 +7,10 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, HalfSpaces, Hit, Hits, Kernel, PacketHits, Shape, check_finite, transformed_box};
+use super::{
+    Crossing, End, HUGE, HalfSpaces, Hit, Hits, Kernel, PacketCrossings, PacketHits, Shape, check_finite,
+    transformed_box,
+};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::packet::{Numbers, PACKET, RayPacket};
 use crate::math::{Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform};
@@ -122,6 +125,15 @@ impl Kernel for Cuboid {
 
     #[inline(always)]
     fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        self.crossings_of_packet(rays).first_in_range(min, max)
+    }
+
+    fn crosses_packets(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn crossings_of_packet(&self, rays: &RayPacket) -> PacketCrossings {
         // The operations of `entry_and_exit`, in the same order
         let (mut near, mut far) = (Lanes::splat(f64::NEG_INFINITY), Lanes::splat(f64::INFINITY));
         let (mut entered, mut left) = ([0; PACKET], [0; PACKET]);
@@ -131,13 +143,13 @@ impl Kernel for Cuboid {
             let (enter, leave) = (is_reversed.select(hi, lo), is_reversed.select(lo, hi));
             let (is_later, is_earlier) = (near.less_than(enter), leave.less_than(far));
             (near, far) = (is_later.select(enter, near), is_earlier.select(leave, far));
-            let [lower, upper] = [0, 1].map(|side| [axis as u32 * 2 + side; PACKET]);
+            let (lower, upper) = ([axis as u32 * 2; PACKET], [axis as u32 * 2 + 1; PACKET]);
             entered = is_later.select_u32(is_reversed.select_u32(upper, lower), entered);
             left = is_earlier.select_u32(is_reversed.select_u32(lower, upper), left);
         }
         let infinity = Lanes::splat(f64::INFINITY);
         let crosses = near.at_most(far) & near.less_than(infinity) & (-infinity).less_than(far);
-        PacketHits::first_in_range(crosses, [near, far], [entered, left], min, max)
+        PacketCrossings::through(crosses, [near, far], [entered, left])
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -43,8 +43,8 @@ pub use julia_fractal::{Algebra, Function, JuliaFractal};
 #[cfg(test)]
 use kernel::testing;
 pub use kernel::{
-    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, PacketHits, Quirks, TextureWeights,
-    transformed_box,
+    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, PacketCrossings, PacketHits, Quirks,
+    TextureWeights, transformed_box,
 };
 use kernel::{nearest_hit, pov_bounds};
 pub use lathe::Lathe;
@@ -139,6 +139,9 @@ delegate! {
         fn is_convex(&self) -> bool;
         fn computes_crossings(&self) -> bool;
         fn crossing(&self, ray: &Ray) -> Crossing;
+        fn crosses_packets(&self) -> bool;
+        #[inline(always)]
+        fn crossings_of_packet(&self, rays: &RayPacket) -> PacketCrossings;
         fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
         #[inline(always)]
         fn normals_of_packet(&self, points: &Vectors, hits: &[Hit; PACKET], lanes: u32) -> Vectors;

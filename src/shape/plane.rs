@@ -8,7 +8,9 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, PacketHits, Quirks, check_finite};
+use super::{
+    Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, PacketCrossings, PacketHits, Quirks, check_finite,
+};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::packet::{Numbers, PACKET, RayPacket, Vectors};
 use crate::math::{Aabb, DVec2, DVec3, Lanes, Range, Ray, Transform, tolerance};
@@ -216,6 +218,24 @@ impl Kernel for Plane {
         }
         let (enter, leave) = if slope > 0.0 { (f64::NEG_INFINITY, t) } else { (t, f64::INFINITY) };
         Crossing::Through([End::on_single_piece(enter), End::on_single_piece(leave)])
+    }
+
+    fn crosses_packets(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn crossings_of_packet(&self, rays: &RayPacket) -> PacketCrossings {
+        // The operations of `crossing`, in the same order
+        let normal = Vectors::splat(self.normal);
+        let slope = normal.dot(rays.dir);
+        let is_parallel = (slope * slope).less_than(1e-6 * rays.dir.length_squared());
+        let t = (Lanes::splat(self.distance) - normal.dot(rays.origin)) / slope;
+        let is_far = Lanes::splat(tolerance::PLANE_ENDS).less_than(t);
+        let leaves = Lanes::splat(0.0).less_than(slope);
+        let infinity = Lanes::splat(f64::INFINITY);
+        let t = [leaves.select(-infinity, t), leaves.select(t, infinity)];
+        PacketCrossings { is_known: !is_parallel & !is_far, t, ..PacketCrossings::MISSES }
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {

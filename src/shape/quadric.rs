@@ -7,9 +7,11 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, PacketHits, Quirks, check_finite, transformed_box};
+use super::{
+    Crossing, End, HUGE, Hit, Hits, Kernel, PacketCrossings, PacketHits, Quirks, check_finite, transformed_box,
+};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::packet::{Numbers, RayPacket, Vectors};
+use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors};
 use crate::math::{
     Aabb, DMat3, DVec3, Lanes, Quadratic, Range, Ray, Transform, quadratic_roots_of_lanes,
     solve_quadratic_with_discriminant,
@@ -95,6 +97,26 @@ impl Quadric {
         let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value_about_center(o));
         let roots = solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c);
         (a, roots.map(|(t1, t2)| (t1 + shift, t2 + shift)))
+    }
+}
+
+impl Quadric {
+    /// Returns [`Self::curvature_and_roots`] for each ray: the curvatures, for which rays there are roots, and the roots.
+    #[inline(always)]
+    fn curvature_and_roots_of_packet(&self, rays: &RayPacket) -> (Numbers, Flags, [Numbers; 2]) {
+        // The operations of `curvature_and_roots`, in the same order
+        let Centered { q, h, c, center, .. } = &self.centered;
+        let from = rays.origin - Vectors::splat(*center);
+        let shift = -from.dot(rays.dir) / rays.dir.length_squared();
+        let o = from + rays.dir * shift;
+        let qv = rays.dir.multiplied_by(q);
+        let value = o.dot(o.multiplied_by(q) + Vectors::splat(2.0 * *h)) + *c;
+        let (a, half_b) = (qv.dot(rays.dir), qv.dot(o) + Vectors::splat(*h).dot(rays.dir));
+        let discriminant = half_b * half_b - a * value;
+        let zero = Lanes::splat(0.0);
+        let has_roots = !discriminant.less_than(zero) & !(a.equals(zero) & half_b.equals(zero));
+        let [t1, t2] = quadratic_roots_of_lanes(a, half_b, value, discriminant);
+        (a, has_roots, [t1 + shift, t2 + shift])
     }
 }
 
@@ -189,26 +211,35 @@ impl Kernel for Quadric {
 
     #[inline(always)]
     fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
-        // The operations of `curvature_and_roots`, in the same order
-        let Centered { q, h, c, center, .. } = &self.centered;
-        let from = rays.origin - Vectors::splat(*center);
-        let shift = -from.dot(rays.dir) / rays.dir.length_squared();
-        let o = from + rays.dir * shift;
-        let qv = rays.dir.multiplied_by(q);
-        let value = o.dot(o.multiplied_by(q) + Vectors::splat(2.0 * *h)) + *c;
-        let (a, half_b) = (qv.dot(rays.dir), qv.dot(o) + Vectors::splat(*h).dot(rays.dir));
-        let discriminant = half_b * half_b - a * value;
-        let zero = Lanes::splat(0.0);
-        let has_roots = !discriminant.less_than(zero) & !(a.equals(zero) & half_b.equals(zero));
-        if !has_roots.any() {
-            return PacketHits::NONE;
-        }
+        let (_, has_roots, ends) = self.curvature_and_roots_of_packet(rays);
         let mut hits = PacketHits { t: *max, ..PacketHits::NONE };
-        for t in quadratic_roots_of_lanes(a, half_b, value, discriminant) {
-            let t = t + shift;
+        for t in ends {
             hits.keep_if_closer(has_roots & t.is_finite(), t, 0, min);
         }
         hits
+    }
+
+    fn crosses_packets(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn crossings_of_packet(&self, rays: &RayPacket) -> PacketCrossings {
+        // The operations of `crossing`, in the same order
+        let (bend, has_roots, [t1, t2]) = self.curvature_and_roots_of_packet(rays);
+        let zero = Lanes::splat(0.0);
+        let straight = (STRAIGHT * self.centered.size) * rays.dir.length_squared();
+        let is_straight = match self.centered.ends {
+            None => bend.abs().at_most(straight),
+            Some(_) => Flags::NONE,
+        };
+        let (is_hollow, is_bent) = (bend.less_than(zero), !bend.equals(zero));
+        let has_ends = has_roots & t1.is_finite() & t2.is_finite();
+        PacketCrossings {
+            is_known: !is_straight & (has_ends | !has_roots & is_bent),
+            is_around: is_hollow | has_roots & !is_bent,
+            ..PacketCrossings::through(has_ends, [t1, t2], [[0; PACKET]; 2])
+        }
     }
 
     fn inside(&self, p: DVec3) -> bool {

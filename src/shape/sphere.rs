@@ -4,7 +4,7 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, PacketHits, check_finite, transformed_box};
+use super::{Crossing, End, Hit, Hits, Kernel, PacketCrossings, PacketHits, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::packet::{Numbers, PACKET, RayPacket, Vectors};
 use crate::math::{
@@ -91,6 +91,15 @@ impl Kernel for Sphere {
 
     #[inline(always)]
     fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        self.crossings_of_packet(rays).first_in_range(min, max)
+    }
+
+    fn crosses_packets(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn crossings_of_packet(&self, rays: &RayPacket) -> PacketCrossings {
         // The operations of `ray_roots`, in the same order
         let zero = Lanes::splat(0.0);
         let to_origin = rays.origin - Vectors::splat(self.center);
@@ -101,11 +110,11 @@ impl Kernel for Sphere {
         let discriminant = a * (r2 - nearest.length_squared());
         let crosses = zero.at_most(discriminant);
         if self.radius == 0.0 || !crosses.any() {
-            return PacketHits::NONE;
+            return PacketCrossings::MISSES;
         }
         let c = to_origin.length_squared() - r2;
-        let [t1, t2] = quadratic_roots_of_lanes(a, half_b, c, discriminant);
-        PacketHits::first_in_range(crosses, [t1, t2], [[0; PACKET]; 2], min, max)
+        let ends = quadratic_roots_of_lanes(a, half_b, c, discriminant);
+        PacketCrossings::through(crosses, ends, [[0; PACKET]; 2])
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 /// Distance from the end of an interval below which the part's `inside` decides, in units of the part's own space, so
 /// that coincident surfaces are treated alike. Far above rounding errors and the tolerance of `inside`.
-const SLACK: f64 = 1e-6;
+pub(super) const SLACK: f64 = 1e-6;
 
 /// Interval of a ray inside a convex part, or the complement of such an interval.
 #[derive(Clone, Copy, Debug)]

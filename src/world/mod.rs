@@ -3,6 +3,7 @@
 
 mod child_bvh;
 mod convex_interval;
+mod convex_packet;
 mod digest;
 mod geometry;
 mod halfspace;

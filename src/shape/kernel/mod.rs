@@ -60,20 +60,55 @@ impl PacketHits {
         self.part = is_closer.select_u32([part; PACKET], self.part);
         (self.is_hit, self.t) = (self.is_hit | is_closer, is_closer.select(t, self.t));
     }
+}
 
-    /// Returns the first of two hits of each ray, in this order, that is in its range, for the rays that have these hits.
+/// Intervals of the lines of a packet inside a solid, see [`Crossing`].
+#[derive(Clone, Copy, Debug)]
+pub struct PacketCrossings {
+    /// True for the lines whose intervals the shape computes.
+    pub is_known: Flags,
+    /// Parameters of the ends of each line's interval, which can be infinite. The first is after the second for a line without
+    /// ends.
+    pub t: [Numbers; 2],
+    /// Parts of the surface at the ends; see [`Hit::part`].
+    pub part: [[u32; PACKET]; 2],
+    /// True for the lines that are inside the solid except between the ends.
+    pub is_around: Flags,
+}
+
+impl PacketCrossings {
+    /// Lines that are all outside the solid.
+    pub const MISSES: Self = Self {
+        is_known: Mask::ALL,
+        t: [Lanes([f64::INFINITY; PACKET]), Lanes([f64::NEG_INFINITY; PACKET])],
+        part: [[0; PACKET]; 2],
+        is_around: Mask::NONE,
+    };
+
+    /// Lines whose intervals are not known.
+    pub const UNKNOWN: Self = Self { is_known: Mask::NONE, ..Self::MISSES };
+
+    /// Creates the intervals of lines that are inside the solid between two ends if `crosses` is true, and nowhere if not.
     #[inline(always)]
-    pub fn first_in_range(
-        has_hits: Flags,
-        [t1, t2]: [Numbers; 2],
-        [part1, part2]: [[u32; PACKET]; 2],
-        min: f64,
-        max: &Numbers,
-    ) -> Self {
-        let contains = |t: Numbers| Lanes::splat(min).less_than(t) & t.less_than(*max);
-        let (first, second) = (contains(t1), contains(t2));
-        Self { is_hit: has_hits & (first | second), t: first.select(t1, t2), part: first.select_u32(part1, part2) }
+    pub fn through(crosses: Flags, t: [Numbers; 2], part: [[u32; PACKET]; 2]) -> Self {
+        let [none_before, none_after] = Self::MISSES.t;
+        let t = [crosses.select(t[0], none_before), crosses.select(t[1], none_after)];
+        Self { t, part, ..Self::MISSES }
     }
+
+    /// Returns the first end of each interval that is in the range from `min` to the number in `max`. The intervals must be known.
+    #[inline(always)]
+    pub fn first_in_range(&self, min: f64, max: &Numbers) -> PacketHits {
+        let Self { t: [t1, t2], part: [part1, part2], .. } = *self;
+        let (first, second) = (is_between(min, t1, max), is_between(min, t2, max));
+        PacketHits { is_hit: first | second, t: first.select(t1, t2), part: first.select_u32(part1, part2) }
+    }
+}
+
+/// True for the numbers of `t` above `min` and below those of `max`.
+#[inline(always)]
+fn is_between(min: f64, t: Numbers, max: &Numbers) -> Flags {
+    Lanes::splat(min).less_than(t) & t.less_than(*max)
 }
 
 /// All hits of a ray on one shape.
@@ -241,13 +276,24 @@ pub trait Kernel {
         Crossing::Unknown
     }
 
+    /// True if [`Kernel::crossings_of_packet`] computes intervals, those that [`Kernel::crossing`] returns.
+    fn crosses_packets(&self) -> bool {
+        false
+    }
+
+    /// Returns the intervals of the lines of a packet inside the solid, see [`Kernel::crossing`].
+    #[inline(always)]
+    fn crossings_of_packet(&self, _rays: &RayPacket) -> PacketCrossings {
+        PacketCrossings::UNKNOWN
+    }
+
     /// Outward normal of the shape at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
 
     /// Normals at the hits of the rays `lanes` of a packet, given as bits, see [`Kernel::normal`]. The others are any vectors.
     #[inline(always)]
     fn normals_of_packet(&self, points: &Vectors, hits: &[Hit; PACKET], lanes: u32) -> Vectors {
-        let mut normals = Vectors::splat(DVec3::ZERO);
+        let mut normals = Vectors::ZERO;
         for lane in set_lanes(lanes) {
             normals.set_lane(lane, self.normal(points.lane(lane), &hits[lane]));
         }

@@ -3,12 +3,12 @@
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
-use crate::math::packet::{Numbers, PACKET, RayPacket};
+use crate::math::packet::{Flags, Numbers, PACKET, RayPacket};
 use crate::math::registers::testing::for_all_registers;
 use crate::math::registers::wide_versions;
 use crate::math::{DVec2, DVec3, Lanes, Range, Ray, Transform, rng};
 use crate::mesh_io::MeshMaterial;
-use crate::shape::{Hit, Hits, Kernel, PacketHits, Paints};
+use crate::shape::{Crossing, End, Hit, Hits, Kernel, PacketCrossings, PacketHits, Paints};
 use crate::source::Span;
 use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
@@ -28,7 +28,7 @@ pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
     assert!(found.len() == want.len() && found.iter().zip(want).all(same), "found {found:?}, want {want:?}");
 }
 
-/// Asserts that the rays of packets have the hits and normals that they have one by one. The shape must be near the origin, about
+/// Asserts that the rays of packets have the hits, normals and intervals that they have one by one. The shape must be near the origin, about
 /// one unit large, and trace packets.
 pub fn assert_packets_match_single_rays(shape: &impl Kernel) {
     let random =
@@ -54,7 +54,11 @@ pub fn assert_packets_match_single_rays(shape: &impl Kernel) {
             let found = closest_of_packet(shape, &lanes, min, &max);
             let hits = std::array::from_fn(|i| Hit::on_piece(found.t.0[i], found.part[i]));
             let normals = shape.normals_of_packet(&lanes.at(found.t), &hits, found.is_hit.bits());
+            let crossings = crossings_of_packet(shape, &lanes);
             for (i, ray) in rays.iter().enumerate() {
+                if shape.crosses_packets() {
+                    assert_eq!(crossing_of_lane(&crossings, i), shape.crossing(ray), "{registers:?} {ray:?}");
+                }
                 let alone = shape.closest(ray, Range { min, max: max.0[i] });
                 let in_packet = (found.is_hit.bits() >> i & 1 == 1).then_some(hits[i]);
                 assert_eq!(in_packet, alone, "{registers:?} {ray:?} {min} {}", max.0[i]);
@@ -76,6 +80,29 @@ fn closest_of_packet<S: Kernel>(shape: &S, rays: &RayPacket, min: f64, max: &Num
         }
     }
     closest(shape, rays, min, max)
+}
+
+/// Calls [`Kernel::crossings_of_packet`] as compiled for the registers that are in use.
+fn crossings_of_packet<S: Kernel>(shape: &S, rays: &RayPacket) -> PacketCrossings {
+    wide_versions! {
+        fn crossings<'a; S: (Kernel)>(shape: &'a S, rays: &RayPacket) -> PacketCrossings {
+            shape.crossings_of_packet(rays)
+        }
+    }
+    crossings(shape, rays)
+}
+
+/// Returns the interval of one line.
+fn crossing_of_lane(all: &PacketCrossings, i: usize) -> Crossing {
+    let has = |flags: Flags| flags.bits() >> i & 1 == 1;
+    let ends = [0, 1].map(|end| End::on_piece(all.t[end].0[i], all.part[end][i]));
+    match (has(all.is_known), ends[0].t <= ends[1].t, has(all.is_around)) {
+        (false, ..) => Crossing::Unknown,
+        (true, true, false) => Crossing::Through(ends),
+        (true, true, true) => Crossing::Around(ends),
+        (true, false, false) => Crossing::Misses,
+        (true, false, true) => Crossing::Stays,
+    }
 }
 
 /// Reads a shape from words separated by blanks; returns the diagnostics too.

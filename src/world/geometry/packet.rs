@@ -2,10 +2,11 @@
 
 use super::coherence::Coherence;
 use super::{Blocker, Geometry, Item, ShadowRole};
-use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
+use crate::math::packet::{Flags, MIN_RAYS, Numbers, PACKET, RayPacket, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
 use crate::math::{Lanes, Mask, Range};
 use crate::shape::{Hit, Kernel, PacketHits};
+use crate::world::convex_packet::PacketEnds;
 use crate::world::leaf::{self, Intersection, Leaf, Surface};
 use std::ops::ControlFlow;
 
@@ -275,7 +276,18 @@ impl Item {
             }
             return;
         }
-        for lane in set_lanes(rays) {
+        let single_rays = match self.closest_of_packet_on_composite(packet, rays, (min, max)) {
+            Some((object, ends)) => {
+                for lane in set_lanes(ends.is_hit.bits()) {
+                    let Some(leaf) = ends.leaf[lane] else { continue };
+                    let found = Intersection::new(Hit::on_piece(ends.t.0[lane], ends.part[lane]), leaf, object);
+                    keep_if_closer(found, &mut hits[lane], &mut max.0[lane], keeps_hit_in_range);
+                }
+                ends.is_unknown.bits()
+            }
+            None => rays,
+        };
+        for lane in set_lanes(single_rays) {
             let mut found = None;
             if self.find_closest(&packet.ray(lane), Range { min, max: max.0[lane] }, &mut found)
                 && let Some(found) = found
@@ -294,8 +306,29 @@ impl Item {
         {
             return leaf::closest_of_packet(leaf, packet, min, max).is_hit.bits() & rays;
         }
+        let (found, single_rays) = match self.closest_of_packet_on_composite(packet, rays, (min, max)) {
+            Some((_, ends)) => (ends.is_hit.bits(), ends.is_unknown.bits()),
+            None => (0, rays),
+        };
         let is_hit = |lane: usize| self.any(&packet.ray(lane), Range { min, max: max.0[lane] });
-        set_lanes(rays).filter(|lane| is_hit(*lane)).fold(0, |bits, lane| bits | 1 << lane)
+        set_lanes(single_rays).filter(|lane| is_hit(*lane)).fold(found, |bits, lane| bits | 1 << lane)
+    }
+
+    /// Returns the number and the closest hits of the rays `rays` of a packet on a composite solid, each in the range from `min` to
+    /// the number in `max`. `None` if they must be computed ray by ray, which is quicker for few rays.
+    #[inline]
+    fn closest_of_packet_on_composite(
+        &self,
+        packet: &RayPacket,
+        rays: u32,
+        range: (f64, &Numbers),
+    ) -> Option<(u32, PacketEnds<'_>)> {
+        match self {
+            Self::Solid(node) if rays.count_ones() as usize >= MIN_RAYS => {
+                node.closest_of_packet(packet, rays, range).map(|ends| (node.object, ends))
+            }
+            _ => None,
+        }
     }
 }
 
@@ -303,7 +336,7 @@ impl Item {
 mod tests {
     use super::*;
     use crate::math::registers::testing::for_all_registers;
-    use crate::math::{Aabb, Ray, Transform, rng};
+    use crate::math::{Aabb, DVec3, Ray, Transform, rng};
     use crate::shape::Shape;
     use crate::world::SolidNode;
 

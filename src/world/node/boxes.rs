@@ -162,7 +162,14 @@ impl SolidNode {
         let boxes = Boxes { surface, solid, outside };
         let parts = PartNumbers::new(self.children());
         let skip_boxes = if child_bvh.is_some() { Box::default() } else { self.skip_boxes(&inner, surface) };
-        let data = CompositeData { clip, bounds, unseen, boxes, parts, convex_parts, skip_boxes, child_bvh };
+        let crosses_packets =
+            |node: &SolidNode| matches!(&node.kind, SolidKind::Leaf(leaf) if leaf.shape.crosses_packets());
+        let traces_packets = match &self.kind {
+            SolidKind::Leaf(_) => crosses_packets(self),
+            _ => convex_parts && self.children().iter().all(crosses_packets),
+        };
+        let data =
+            CompositeData { clip, bounds, unseen, boxes, parts, convex_parts, traces_packets, skip_boxes, child_bvh };
         self.composite = Some(Box::new(data));
     }
 

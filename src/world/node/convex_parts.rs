@@ -1,11 +1,14 @@
 //! Hits on intersections and merges of a few shapes that know their intervals along a ray.
 
 use super::{SolidKind, SolidNode};
+use crate::math::packet::{Numbers, RayPacket, set_lanes};
 use crate::math::{Range, Ray};
 use crate::shape::End;
 use crate::world::convex_interval;
+use crate::world::convex_packet::{ConvexSolid, PacketEnds, closest_of_packet_on_convex_solid};
 use crate::world::leaf::{Intersection, Leaf};
 use std::ops::ControlFlow;
+use std::slice;
 
 impl SolidNode {
     pub(super) fn has_convex_parts(&self) -> bool {
@@ -23,6 +26,30 @@ impl SolidNode {
             Ok(()) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
             Err(convex_interval::UnknownInterval) => self.closest_of_parts(ray, range),
         }
+    }
+
+    /// Returns the closest hits of those rays of a packet that `rays` has as bits, each in the range from `min` to the number in
+    /// `max`. `None` for a solid whose hits are computed ray by ray.
+    pub(in crate::world) fn closest_of_packet(
+        &self,
+        packet: &RayPacket,
+        mut rays: u32,
+        (min, max): (f64, &Numbers),
+    ) -> Option<PacketEnds<'_>> {
+        let composite = self.composite.as_ref().filter(|composite| composite.traces_packets)?;
+        if !composite.bounds.is_empty() {
+            for i in set_lanes(rays) {
+                rays &= !(u32::from(!self.crosses_all_bounds(&packet.ray(i))) << i);
+            }
+        }
+        let solid = ConvexSolid {
+            shapes: if let SolidKind::Leaf(_) = self.kind { slice::from_ref(self) } else { self.children() },
+            is_merge: matches!(self.kind, SolidKind::Merge(_)),
+            clips: &composite.clip,
+            bounds: &composite.boxes.surface,
+            skip_boxes: &composite.skip_boxes,
+        };
+        Some(closest_of_packet_on_convex_solid(&solid, packet, rays, min, max))
     }
 
     /// True if the ray hits, in the range, the surface of an intersection or merge.

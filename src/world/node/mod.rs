@@ -49,6 +49,9 @@ struct CompositeData {
     /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
+    /// True if [`SolidNode::closest_of_packet`] computes hits.
+    #[serde(skip)]
+    traces_packets: bool,
     /// Boxes of children that most rays miss; see [`SolidNode::skip_boxes`].
     #[serde(skip)]
     skip_boxes: Box<[Option<Aabb>]>,
