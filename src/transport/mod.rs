@@ -16,6 +16,7 @@ mod interface;
 mod media;
 mod media_intervals;
 mod packet;
+mod packet_layers;
 mod packet_light;
 mod photons;
 mod radiance;

@@ -2,6 +2,7 @@
 //! first hits are found side by side, and so is the light of plain surfaces (see [`super::packet_light`]) and what these reflect;
 //! all else is computed ray by ray.
 
+use super::packet_layers::LitLayers;
 use super::packet_light::{LitPoints, PlainPoint};
 use super::radiance::Radiance;
 use super::ray_state::RayState;
@@ -129,12 +130,9 @@ impl<'w> Tracer<'w> {
         hits: &ClosestHits<'w>,
         radiances: &mut [Radiance; PACKET],
     ) -> ReflectedRays {
-        let mut plain = 0;
-        for (i, hit) in hits.iter().enumerate() {
-            plain |= u32::from(hit.as_ref().is_some_and(|hit| self.may_be_lit_in_packet(hit))) << i;
-        }
+        let plain = lanes_of_hits(hits, |hit| self.may_be_lit_in_packet(hit));
         let surfaces = surfaces_of_packet(&packet.rays, hits, plain);
-        let mut lit = LitPoints::new();
+        let (mut lit, mut others) = (LitPoints::new(), 0);
         let (mut reflected, has_air) = (ReflectedRays::new(), self.has_air());
         for i in set_lanes(packet.active) {
             let (ray, radiance) = (packet.rays.ray(i), &mut radiances[i]);
@@ -149,20 +147,14 @@ impl<'w> Tracer<'w> {
                         && let Some(at) = self.plain_point(&ray, (hit, &surfaces.lane(i))) =>
                 {
                     if has_air {
-                        let air = self.segment(&self.state_of_ray(packet, i), &Span::from_origin(hit.t()), 0);
-                        let throughput = packet.throughput.lane(i);
-                        radiance.rgb += throughput * air.radiance;
-                        packet.throughput.set_lane(i, throughput * air.transmittance);
+                        self.cross_air(packet, i, hit, radiance);
                     }
                     lit.add(i, &at, self.context.has_ambient);
                     if at.has_mirror() {
                         reflected.extend(self.reflect_ray_of_packet(packet, i, (hit, &at)));
                     }
                 }
-                hit => {
-                    let state = self.begin_ray_of_packet(packet, i);
-                    self.add_radiance_from_first_hit(state, hit.as_ref(), radiance);
-                }
+                _ => others |= 1 << i,
             }
         }
         if !lit.is_empty() {
@@ -171,7 +163,56 @@ impl<'w> Tracer<'w> {
                 radiances[i].rgb += packet.throughput.lane(i) * light;
             }
         }
+        if others != 0 {
+            self.shade_other_hits(packet, hits, others, radiances);
+        }
         reflected
+    }
+
+    /// Adds the light at those hits of a packet's rays whose surfaces are not plain, and at the end of rays without hits, to the
+    /// radiances of the rays' samples; traces the rays that continue to their ends. `lanes` are the rays, as bits. (Not inlined: the
+    /// loop over plain surfaces is faster without this code.)
+    #[inline(never)]
+    fn shade_other_hits(
+        &mut self,
+        packet: &mut Packet,
+        hits: &ClosestHits<'w>,
+        lanes: u32,
+        radiances: &mut [Radiance; PACKET],
+    ) {
+        let mut layered = lanes & lanes_of_hits(hits, |hit| self.has_plain_layers(hit));
+        if (layered.count_ones() as usize) < MIN_RAYS {
+            layered = 0;
+        }
+        if layered != 0 {
+            let mut lit = LitLayers::new(std::mem::take(&mut self.layer_buffer));
+            let surfaces = surfaces_of_packet(&packet.rays, hits, layered);
+            for (i, hit) in set_lanes(layered).filter_map(|i| Some((i, hits[i].as_ref()?))) {
+                let ray = packet.rays.ray(i);
+                if !self.add_layers_and_is_opaque(&mut lit, (i, &ray), (hit, &surfaces.lane(i))) {
+                    layered &= !(1 << i);
+                } else if self.has_air() {
+                    self.cross_air(packet, i, hit, &mut radiances[i]);
+                }
+            }
+            self.add_light_of_sources_to_layers(&mut lit, &packet.rays, &packet.samples.rays);
+            for (i, light) in lit.light() {
+                radiances[i].rgb += packet.throughput.lane(i) * light;
+            }
+            self.layer_buffer = lit.into_buffer();
+        }
+        for i in set_lanes(lanes & !layered) {
+            let state = self.begin_ray_of_packet(packet, i);
+            self.add_radiance_from_first_hit(state, hits[i].as_ref(), &mut radiances[i]);
+        }
+    }
+
+    /// Adds the light of the air up to the hit of a packet's ray to the radiance of its sample, and attenuates the ray.
+    fn cross_air(&mut self, packet: &mut Packet, i: usize, hit: &Intersection, radiance: &mut Radiance) {
+        let air = self.segment(&self.state_of_ray(packet, i), &Span::from_origin(hit.t()), 0);
+        let throughput = packet.throughput.lane(i);
+        radiance.rgb += throughput * air.radiance;
+        packet.throughput.set_lane(i, throughput * air.transmittance);
     }
 
     /// Returns the ray that the mirror at the hit of a packet's ray reflects; `None` if it reflects none.
@@ -223,6 +264,14 @@ impl<'w> Tracer<'w> {
             && material.layers[0].finish.diffuse_back == 0.0
     }
 
+    /// True if the material at a hit has plain layers, so that its light can be computed in a packet.
+    fn has_plain_layers(&self, hit: &Intersection) -> bool {
+        let world = self.context.world;
+        let part = &world.parts[hit.part_number() as usize];
+        let material = &world.materials[part.outside.material as usize];
+        self.lights_packets && part.uncommon.is_none() && !part.double_illuminate && material.has_plain_layers
+    }
+
     /// Evaluates the plain material at the hit of a ray; `None` if it transmits light there, or its bumps are not finite.
     #[inline(always)]
     fn plain_point(&self, ray: &Ray, (hit, surface): (&Intersection<'w>, &Surface)) -> Option<PlainPoint<'w>> {
@@ -230,4 +279,14 @@ impl<'w> Tracer<'w> {
         let part = &world.parts[hit.part_number() as usize];
         SingleLayerPoint::on_plain_surface(world, part, ray, (hit, surface)).filter(|at| !at.shaded.weight.is_nan())
     }
+}
+
+/// Returns the rays whose hit has a property, as bits.
+#[inline(always)]
+fn lanes_of_hits(hits: &ClosestHits, has_property: impl Fn(&Intersection) -> bool) -> u32 {
+    let mut lanes = 0;
+    for (i, hit) in hits.iter().enumerate() {
+        lanes |= u32::from(hit.as_ref().is_some_and(&has_property)) << i;
+    }
+    lanes
 }

@@ -2,6 +2,7 @@
 //! the bits that it has alone.
 
 use super::direct_light::{emitted_light, lobe_strength, metal_tint};
+use super::shading_point::ShadedLayer;
 use super::single_layer::SingleLayerPoint;
 use super::tracer::Tracer;
 use crate::color::Rgb;
@@ -36,12 +37,12 @@ pub(super) struct LitPoints<'w> {
 }
 
 /// Light of one source that reaches the points without occlusion.
-struct ArrivingLight {
+pub(super) struct ArrivingLight {
     /// Directions to the light, length 1.
     to_light: Vectors,
     distance: Numbers,
     /// Red, green and blue.
-    light: Vectors,
+    pub light: Vectors,
 }
 
 impl<'w> LitPoints<'w> {
@@ -66,17 +67,52 @@ impl<'w> LitPoints<'w> {
     /// Adds the point of ray `i`, with the light that it emits.
     #[inline(always)]
     pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, has_ambient: bool) {
-        let shaded = &at.shaded;
-        let finish: &'w LoweredFinish = &shaded.layer.finish;
         self.point.set_lane(i, at.point);
+        self.light.set_lane(i, at.shaded.weight * emitted_light(&at.shaded, has_ambient));
+        self.set_layer(i, &at.shaded);
+    }
+
+    /// Removes all points. (Their other numbers stay, but do not count.)
+    pub fn clear(&mut self) {
+        (self.existing, self.reflecting, self.only_finish) = (0, 0, None);
+    }
+
+    /// Sets the layer at the point of ray `i`.
+    #[inline(always)]
+    pub fn set_layer(&mut self, i: usize, shaded: &ShadedLayer<'w>) {
+        let finish: &'w LoweredFinish = &shaded.layer.finish;
         self.normal.set_lane(i, shaded.normal);
         self.color.set_lane(i, shaded.color.rgb);
-        self.light.set_lane(i, shaded.weight * emitted_light(shaded, has_ambient));
         (self.opacity.0[i], self.diffuse.0[i], self.finish[i]) = (shaded.opacity, finish.diffuse, Some(finish));
         let is_only = self.existing == 0 || self.only_finish.is_some_and(|only| std::ptr::eq(only, finish));
         self.only_finish = is_only.then_some(finish);
         self.existing |= 1 << i;
         self.reflecting |= u32::from(finish.diffuse != 0.0 || finish.has_highlights()) << i;
+    }
+
+    /// True for the points that reflect light from the directions of the light.
+    #[inline(always)]
+    pub fn faces(&self, arriving: &ArrivingLight) -> Flags {
+        Mask::from_bits(self.reflecting) & Lanes::splat(0.0).less_than(self.normal.dot(arriving.to_light))
+    }
+
+    /// Returns the shares of the arriving light that the points `visible` reflect along the rays, diffusely and, if `has_highlights`,
+    /// as highlights.
+    #[inline(always)]
+    pub fn reflected_share(
+        &self,
+        dir: &Vectors,
+        arriving: &ArrivingLight,
+        (visible, has_highlights): (Flags, bool),
+    ) -> Vectors {
+        let cos = self.normal.dot(arriving.to_light);
+        let factor = self.opacity * self.diffuse * powers(self, visible, cos.abs(), |finish| finish.brilliance);
+        let is_dark = self.diffuse.equals(Lanes::splat(0.0));
+        let reflected = Vectors::select(is_dark, Vectors::ZERO, self.color * factor);
+        match has_highlights {
+            true => reflected + highlights(self, dir, arriving, cos, visible),
+            false => reflected,
+        }
     }
 
     /// True if the list has no point.
@@ -103,25 +139,23 @@ impl Tracer<'_> {
 
     /// Adds the light of a point light that the points reflect along the rays.
     fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints, rays: &RayPacket, camera: &RayPacket) {
-        let arriving = match light.emitter.is_even_point() {
-            true => arriving_from_point(light.emitter.location, light.emitter.color, lit),
-            false => ArrivingLight::new(lit, |point| light.emitter.sample(point, DVec3::ZERO)),
-        };
+        let arriving = ArrivingLight::of_point_light(light, lit.existing, &lit.point);
         let faces = faces_light(lit, &arriving);
         if !faces.any() {
             return;
         }
-        let (visible, share) = self.visibility_of_packet(light, (lit, camera), &arriving, faces);
+        let (visible, share) = self.visibility_of_packet(light, (&lit.point, camera), &arriving, faces);
         if visible.any() {
             add_reflected(lit, &rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
         }
     }
 
-    /// Returns for which of the points `faces` the light is visible at all, and the share that is visible, per channel.
-    fn visibility_of_packet(
+    /// Returns for which of the points `faces` the light is visible at all, and the share that is visible, per channel. The points
+    /// are those of the camera rays `camera`.
+    pub(super) fn visibility_of_packet(
         &mut self,
         light: &LightSource,
-        (lit, camera): (&LitPoints, &RayPacket),
+        (points, camera): (&Vectors, &RayPacket),
         arriving: &ArrivingLight,
         faces: Flags,
     ) -> (Flags, Vectors) {
@@ -134,7 +168,7 @@ impl Tracer<'_> {
         if !casts_shadows || !has_ray.any() {
             return (faces, share);
         }
-        let packet = RayPacket { origin: lit.point, dir: arriving.to_light };
+        let packet = RayPacket { origin: *points, dir: arriving.to_light };
         let role = |id: u32| world.shadow_role(id);
         let hints = (&mut self.occluders[light.number], &mut self.shadow_coherence);
         let occlusion = world.geometry.occlusion_of_packet(&packet, has_ray, (epsilon, &max), role, hints);
@@ -149,26 +183,35 @@ impl Tracer<'_> {
 }
 
 impl ArrivingLight {
-    /// Samples a light at each point.
+    /// Samples a point light at the points `existing`.
     #[inline(always)]
-    fn new(lit: &LitPoints, sample: impl Fn(DVec3) -> LightSample) -> Self {
+    pub fn of_point_light(light: &LightSource, existing: u32, points: &Vectors) -> Self {
+        if light.emitter.is_even_point() {
+            return arriving_from_point(light.emitter.location, light.emitter.color, points);
+        }
         let zero = Vectors::ZERO;
         let mut all = Self { to_light: zero, distance: Lanes::splat(0.0), light: zero };
-        for i in set_lanes(lit.existing) {
-            let LightSample { to_light, distance, light } = sample(lit.point.lane(i));
+        for i in set_lanes(existing) {
+            let LightSample { to_light, distance, light } = light.emitter.sample(points.lane(i), DVec3::ZERO);
             all.to_light.set_lane(i, to_light);
             all.distance.0[i] = distance;
             all.light.set_lane(i, light);
         }
         all
     }
+
+    /// True for the points that light reaches from a direction that is known.
+    #[inline(always)]
+    pub fn is_light(&self) -> Flags {
+        !self.light.is_zero() & self.to_light.is_finite()
+    }
 }
 
 wide_versions! {
     /// Returns the light of a point light that shines evenly in all directions and does not fade.
-    fn arriving_from_point(location: DVec3, color: Rgb, lit: &LitPoints) -> ArrivingLight {
+    fn arriving_from_point(location: DVec3, color: Rgb, points: &Vectors) -> ArrivingLight {
         // The operations of `LoweredLight::sample`, in the same order; by the first, -0 becomes 0.
-        let way = Vectors::splat(location + DVec3::ZERO) - lit.point;
+        let way = Vectors::splat(location + DVec3::ZERO) - *points;
         let distance = way.length_squared().sqrt();
         ArrivingLight { to_light: way / distance, distance, light: Vectors::splat(color) }
     }
@@ -177,8 +220,7 @@ wide_versions! {
 wide_versions! {
     /// True for the points that reflect light which arrives.
     fn faces_light(lit: &LitPoints, arriving: &ArrivingLight) -> Flags {
-        let faces = Lanes::splat(0.0).less_than(lit.normal.dot(arriving.to_light));
-        Mask::from_bits(lit.reflecting) & faces & !arriving.light.is_zero() & arriving.to_light.is_finite()
+        lit.faces(arriving) & arriving.is_light()
     }
 }
 
@@ -191,19 +233,11 @@ wide_versions! {
         share: &Vectors,
         which: (Flags, bool),
     ) {
-        let (visible, has_highlights) = which;
-        let zero = Lanes::splat(0.0);
         let light = arriving.light.times(*share);
-        let cos = lit.normal.dot(arriving.to_light);
-        let factor = lit.opacity * lit.diffuse * powers(lit, visible, cos.abs(), |finish| finish.brilliance);
-        let no_light = Vectors::ZERO;
-        let mut reflected = Vectors::select(lit.diffuse.equals(zero), no_light, lit.color * factor);
-        if has_highlights {
-            reflected = reflected + highlights(lit, dir, arriving, cos, visible);
-        }
+        let reflected = lit.reflected_share(dir, arriving, which);
         // (Light that is black is not reflected.)
-        let is_lit = visible & !light.is_zero();
-        lit.light = lit.light + Vectors::select(is_lit, reflected.times(light), no_light);
+        let is_lit = which.0 & !light.is_zero();
+        lit.light = lit.light + Vectors::select(is_lit, reflected.times(light), Vectors::ZERO);
     }
 }
 

@@ -171,7 +171,8 @@ impl<'w> Tracer<'w> {
         }
         // Light that the surface itself sends
         let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };
-        let shading = ShadingPoint::new(self.context.world, &state.ray, hit, quality, &interface);
+        let surface = hit.surface(&state.ray);
+        let shading = ShadingPoint::new(self.context.world, &state.ray, (hit, &surface), quality, &interface);
         if !self.ignores_surface_light(state) {
             sum.rgb += state.throughput * self.emitted_and_direct_light(state, &shading);
         }

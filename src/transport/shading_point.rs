@@ -56,16 +56,21 @@ pub(super) struct ShadingPoint<'w> {
 }
 
 impl<'w> ShadingPoint<'w> {
-    /// Evaluates the materials at the hit `found` of `ray`; `interface` is the optical boundary at the hit.
+    /// Evaluates the materials at the hit `found` of `ray` on the surface `surface`; `interface` is the optical boundary at the hit.
     // (Forced: the compiler would return a value of this size by a copy.)
     #[inline(always)]
-    pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
+    pub fn new(
+        world: &'w World,
+        ray: &Ray,
+        (found, surface): (&Intersection, &Surface),
+        quality: &Quality,
+        interface: &Interface,
+    ) -> Self {
         let part = &world.parts[found.part_number() as usize];
-        let surface = found.surface(ray);
         let from_inside = ray.dir.dot(surface.normal) > 0.0;
         let smooth = if from_inside { -surface.normal } else { surface.normal };
         let mut this = Self { part, point: surface.point, smooth, materials: SmallVec::new(), layers: SmallVec::new() };
-        this.collect_materials(world, ray, found, (&surface, from_inside), (quality, interface));
+        this.collect_materials(world, ray, found, (surface, from_inside), (quality, interface));
         this
     }
 

@@ -1,6 +1,7 @@
 //! The state of one thread while it traces rays.
 
 use super::context::FrameContext;
+use super::packet_layers::LitLayer;
 use super::photons::Found;
 use super::radiosity::{RadiosityCache, RadiosityState, Sample};
 use super::random::Random;
@@ -80,6 +81,8 @@ pub struct Tracer<'w> {
     pub(super) traces_photons: bool,
     /// True if shadow rays pass targets of photons as other transparent objects: the lit surface does not collect photons.
     pub(super) targets_transmit_light: bool,
+    /// Buffer of the layers at the points of a packet, kept from packet to packet.
+    pub(super) layer_buffer: Vec<LitLayer<'w>>,
     /// Buffers of photon searches, kept from search to search to avoid allocations.
     pub(super) photon_buffers: [Found; 2],
 }
@@ -121,6 +124,7 @@ impl<'w> Tracer<'w> {
                 && can_light_packets(context.world),
             traces_photons: false,
             targets_transmit_light: false,
+            layer_buffer: vec![],
             photon_buffers: <[Found; 2]>::default(),
         }
     }

@@ -182,7 +182,8 @@ impl Tracer<'_> {
             inside.push(own);
         }
         if interior.caustics != 0.0 {
-            let shading = ShadingPoint::new(world, ray, hit, &self.context.quality, &Interface::NONE);
+            let surface = hit.surface(ray);
+            let shading = ShadingPoint::new(world, ray, (hit, &surface), &self.context.quality, &Interface::NONE);
             let normal = shading.materials.last().map_or(shading.smooth, |material| material.normal);
             transmittance *= interior.caustic_factor(normal.dot(ray.dir).abs());
         }

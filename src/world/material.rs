@@ -26,6 +26,10 @@ pub struct Material {
     /// and `conserve_energy`.
     #[serde(skip)]
     pub is_plain: bool,
+    /// True if the material is opaque, and each of its layers, also of the materials that patterns select, is plain except that it
+    /// may transmit light to the layers below, and has no mirror and no `diffuse` for light from behind.
+    #[serde(skip)]
+    pub has_plain_layers: bool,
     /// True for one layer, opaque or not, that reflects in proportion to the incoming light, without subsurface light.
     #[serde(skip)]
     pub is_single_layer: bool,
@@ -197,6 +201,7 @@ impl Material {
                 ([lowered], [written]) => lowered.is_plain_if_opaque() && is_opaque(written),
                 _ => false,
             },
+            has_plain_layers: texture.layers.iter().any(is_opaque) && layers.iter().all(Layer::has_plain_layers),
             is_single_layer: matches!(&layers[..], [layer] if layer.is_single_layer()),
             selects_single_layers: chosen_by(&layers).is_some_and(Choice::selects_single_layers),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
@@ -277,6 +282,15 @@ impl Layer {
     fn is_plain_if_opaque(&self) -> bool {
         let finish = &self.finish;
         self.is_single_layer() && finish.crand == 0.0 && finish.irid.is_none() && !finish.conserve_energy
+    }
+
+    /// True if the layers of all materials that the layer's pattern selects, or else the layer itself, are plain without mirrors; see
+    /// [`Material::has_plain_layers`].
+    fn has_plain_layers(&self) -> bool {
+        match &self.choice {
+            Some(choice) => choice.parts.iter().all(|part| part.has_plain_layers),
+            None => self.is_plain_if_opaque() && self.finish.mirror.is_none() && self.finish.diffuse_back == 0.0,
+        }
     }
 
     /// True if a material of this layer alone is a single layer (see [`Material::is_single_layer`]).

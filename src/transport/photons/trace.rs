@@ -131,7 +131,8 @@ impl<'w> Tracer<'w> {
         flight.distance += hit.t();
         // Store the photon
         let interface = self.interface(&flight.state, &hit);
-        let shading = ShadingPoint::new(world, &ray, &hit, &self.context.quality, &interface);
+        let surface = hit.surface(&ray);
+        let shading = ShadingPoint::new(world, &ray, (&hit, &surface), &self.context.quality, &interface);
         if flight.has_hit_target && stores_photons(&shading) {
             let flux = flight.state.throughput * photon_power_per_measure(source, beam.light, flight.distance);
             ring.surface.push(Photon::new(shading.point, flux, ray.dir));
