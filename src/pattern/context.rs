@@ -93,6 +93,12 @@ pub trait Field {
         at.each_ref().map(|at| self.value_with_params(at, params))
     }
 
+    /// True if the pattern's number takes a long chain of operations, so that [`Field::values_with_params`] takes little more time than
+    /// one number.
+    fn takes_long_chain(&self) -> bool {
+        false
+    }
+
     /// Returns bounds on the pattern's numbers within a radius of the point, before frequency, phase and wave.
     fn value_bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
         LocalBounds::UNKNOWN

@@ -174,6 +174,7 @@ delegate! {
         fn value(&self, at: &TextureContext) -> f64;
         fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64;
         fn values_with_params(&self, at: &[TextureContext; 4], params: &FieldParams) -> [f64; 4];
+        fn takes_long_chain(&self) -> bool;
         fn value_bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds;
         fn support(&self) -> Option<Support>;
         fn default_wave(&self) -> Option<Wave>;

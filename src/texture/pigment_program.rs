@@ -51,6 +51,22 @@ impl PigmentProgram {
         self.node_color(self.nodes.len() - 1, ctx)
     }
 
+    /// Returns [`Self::color_at`] at four points.
+    pub fn colors_at(&self, ctx: &[TextureContext; 4]) -> [Color; 4] {
+        match self.nodes.last() {
+            Some(PigmentNode { pattern, shows: Shows::Colors(map, _) }) => pattern
+                .numbers_in_pattern_space(ctx.each_ref().map(|ctx| pattern.to_pattern_space(ctx)))
+                .map(|number| map.color_at(number)),
+            _ => ctx.each_ref().map(|ctx| self.color_at(ctx)),
+        }
+    }
+
+    /// True if the pigment's pattern takes a long chain of operations, so that [`Self::colors_at`] takes little more time than one
+    /// colour.
+    pub fn takes_long_chain(&self) -> bool {
+        matches!(self.nodes.last(), Some(PigmentNode { pattern, shows: Shows::Colors(..) }) if pattern.takes_long_chain())
+    }
+
     /// True if the pigment has no colour at the point because it is outside of pictures with `once`.
     pub fn is_outside_once_pictures(&self, ctx: &TextureContext) -> bool {
         self.node_has_no_color(self.nodes.len() - 1, ctx, self.framed)

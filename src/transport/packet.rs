@@ -2,7 +2,6 @@
 //! first hits are found side by side, and so is the light of plain surfaces (see [`super::packet_light`]) and what these reflect;
 //! all else is computed ray by ray.
 
-use super::packet_layers::LitLayers;
 use super::packet_light::{LitPoints, PlainPoint};
 use super::radiance::Radiance;
 use super::ray_state::RayState;
@@ -35,15 +34,15 @@ impl SamplePacket {
 }
 
 /// The camera rays of samples, or the rays to which as many reflections have turned them.
-struct Packet<'a> {
-    samples: &'a SamplePacket,
-    rays: RayPacket,
+pub(super) struct Packet<'a> {
+    pub samples: &'a SamplePacket,
+    pub rays: RayPacket,
     /// Rays that are still to be traced, as bits.
     active: u32,
     /// Importance of each ray, see [`RayState::weight`].
     weight: Numbers,
     /// Factor of each ray's radiance in its sample: red, green and blue.
-    throughput: Vectors,
+    pub throughput: Vectors,
     /// Number of reflections before.
     vertex: u32,
 }
@@ -180,35 +179,19 @@ impl<'w> Tracer<'w> {
         lanes: u32,
         radiances: &mut [Radiance; PACKET],
     ) {
-        let mut layered = lanes & lanes_of_hits(hits, |hit| self.has_plain_layers(hit));
-        if (layered.count_ones() as usize) < MIN_RAYS {
-            layered = 0;
-        }
-        if layered != 0 {
-            let mut lit = LitLayers::new(std::mem::take(&mut self.layer_buffer));
-            let surfaces = surfaces_of_packet(&packet.rays, hits, layered);
-            for (i, hit) in set_lanes(layered).filter_map(|i| Some((i, hits[i].as_ref()?))) {
-                let ray = packet.rays.ray(i);
-                if !self.add_layers_and_is_opaque(&mut lit, (i, &ray), (hit, &surfaces.lane(i))) {
-                    layered &= !(1 << i);
-                } else if self.has_air() {
-                    self.cross_air(packet, i, hit, &mut radiances[i]);
-                }
-            }
-            self.add_light_of_sources_to_layers(&mut lit, &packet.rays, &packet.samples.rays);
-            for (i, light) in lit.light() {
-                radiances[i].rgb += packet.throughput.lane(i) * light;
-            }
-            self.layer_buffer = lit.into_buffer();
-        }
-        for i in set_lanes(lanes & !layered) {
+        let layered = lanes & lanes_of_hits(hits, |hit| self.has_plain_layers(hit));
+        let done = match layered.count_ones() as usize >= MIN_RAYS {
+            true => self.shade_layered_hits(packet, hits, layered, radiances),
+            false => 0,
+        };
+        for i in set_lanes(lanes & !done) {
             let state = self.begin_ray_of_packet(packet, i);
             self.add_radiance_from_first_hit(state, hits[i].as_ref(), &mut radiances[i]);
         }
     }
 
     /// Adds the light of the air up to the hit of a packet's ray to the radiance of its sample, and attenuates the ray.
-    fn cross_air(&mut self, packet: &mut Packet, i: usize, hit: &Intersection, radiance: &mut Radiance) {
+    pub(super) fn cross_air(&mut self, packet: &mut Packet, i: usize, hit: &Intersection, radiance: &mut Radiance) {
         let air = self.segment(&self.state_of_ray(packet, i), &Span::from_origin(hit.t()), 0);
         let throughput = packet.throughput.lane(i);
         radiance.rgb += throughput * air.radiance;
@@ -257,11 +240,7 @@ impl<'w> Tracer<'w> {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
         let material = &world.materials[part.outside.material as usize];
-        self.lights_packets
-            && part.uncommon.is_none()
-            && material.is_plain
-            && !part.double_illuminate
-            && material.layers[0].finish.diffuse_back == 0.0
+        self.lights_packets && part.uncommon.is_none() && material.is_lit_in_packets && !part.double_illuminate
     }
 
     /// True if the material at a hit has plain layers, so that its light can be computed in a packet.
@@ -269,7 +248,7 @@ impl<'w> Tracer<'w> {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
         let material = &world.materials[part.outside.material as usize];
-        self.lights_packets && part.uncommon.is_none() && !part.double_illuminate && material.has_plain_layers
+        self.lights_packets && part.uncommon.is_none() && material.has_plain_layers && !part.double_illuminate
     }
 
     /// Evaluates the plain material at the hit of a ray; `None` if it transmits light there, or its bumps are not finite.
@@ -283,7 +262,7 @@ impl<'w> Tracer<'w> {
 
 /// Returns the rays whose hit has a property, as bits.
 #[inline(always)]
-fn lanes_of_hits(hits: &ClosestHits, has_property: impl Fn(&Intersection) -> bool) -> u32 {
+pub(super) fn lanes_of_hits(hits: &ClosestHits, has_property: impl Fn(&Intersection) -> bool) -> u32 {
     let mut lanes = 0;
     for (i, hit) in hits.iter().enumerate() {
         lanes |= u32::from(hit.as_ref().is_some_and(&has_property)) << i;

@@ -3,14 +3,17 @@
 
 use super::direct_light::{LitSurface, emitted_light};
 use super::interface::Interface;
+use super::packet::{Packet, lanes_of_hits};
 use super::packet_light::{ArrivingLight, LitPoints};
-use super::shading_point::ShadingPoint;
+use super::radiance::Radiance;
+use super::shading_point::{ShadedLayer, ShadingPoint, texture_context};
+use super::single_layer::facing_normal;
 use super::tracer::Tracer;
 use crate::color::Rgb;
-use crate::math::packet::{Flags, Numbers, RayPacket, Vectors, set_lanes};
+use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
-use crate::math::{Lanes, Ray};
-use crate::world::{Intersection, LightSource, Surface};
+use crate::math::{DVec3, Lanes, Ray};
+use crate::world::{ClosestHits, Intersection, LightSource, PacketSurfaces, Surface, surfaces_of_packet};
 
 /// One layer at each of several points.
 pub(super) struct LitLayer<'w> {
@@ -24,7 +27,7 @@ pub(super) struct LitLayer<'w> {
 }
 
 /// Points of surfaces with several layers, side by side, and the light that they send along the rays.
-pub(super) struct LitLayers<'w> {
+struct LitLayers<'w> {
     /// Lanes with a point, as bits.
     existing: u32,
     point: Vectors,
@@ -45,13 +48,8 @@ impl<'w> LitLayer<'w> {
 impl<'w> LitLayers<'w> {
     /// Creates an empty list, whose layers are stored in the buffer `layers`.
     #[inline(always)]
-    pub fn new(layers: Vec<LitLayer<'w>>) -> Self {
+    fn new(layers: Vec<LitLayer<'w>>) -> Self {
         Self { existing: 0, point: Vectors::ZERO, layers, n_layers: 0, light: Vectors::ZERO }
-    }
-
-    /// Returns the buffer of the layers.
-    pub fn into_buffer(self) -> Vec<LitLayer<'w>> {
-        self.layers
     }
 
     /// Returns the layer with this number, and adds it if it is the next one.
@@ -69,16 +67,11 @@ impl<'w> LitLayers<'w> {
         layer
     }
 
-    /// Returns the rays with points, and the light of each.
-    pub fn light(&self) -> impl Iterator<Item = (usize, Rgb)> {
-        set_lanes(self.existing).map(|i| (i, self.light.lane(i)))
-    }
-
-    /// Adds the point of ray `i`, with the light that it emits. Returns false, without any effect, if light passes through the
-    /// surface there, or its bumps are not finite.
-    fn add_and_is_opaque(&mut self, i: usize, at: &ShadingPoint<'w>, has_ambient: bool) -> bool {
+    /// Adds the point of ray `i`, with the light that it emits, unless light passes through the surface there, or its bumps are not
+    /// finite.
+    fn add_if_opaque(&mut self, i: usize, at: &ShadingPoint<'w>, has_ambient: bool) {
         if !at.ends_rays() || at.layers().any(|shaded| shaded.weight.is_nan()) {
-            return false;
+            return;
         }
         let mut number = 0;
         for material in &at.materials {
@@ -88,37 +81,114 @@ impl<'w> LitLayers<'w> {
                 weight.set_lane(i, shaded.weight);
                 number += 1;
             }
-            let LitLayer { last, share, .. } = self.layer(number - 1);
-            (*last, share.0[i]) = (*last | 1 << i, material.share);
+            self.end_material(i, number, material.share);
         }
-        self.point.set_lane(i, at.point);
-        self.light.set_lane(i, at.weighted_layer_sum(|shaded| shaded.weight * emitted_light(shaded, has_ambient)));
+        let emitted = at.weighted_layer_sum(|shaded| shaded.weight * emitted_light(shaded, has_ambient));
+        self.set_point(i, at.point, emitted);
+    }
+
+    /// Adds the point of ray `i` on a surface with one layer, with the light that it emits.
+    fn add_single_layer(&mut self, i: usize, point: DVec3, shaded: &ShadedLayer<'w>, has_ambient: bool) {
+        let LitLayer { layer, weight, .. } = self.layer(0);
+        layer.set_layer(i, shaded);
+        weight.set_lane(i, shaded.weight);
+        self.end_material(i, 1, 1.0);
+        self.set_point(i, point, shaded.weight * emitted_light(shaded, has_ambient));
+    }
+
+    /// Notes that a material of ray `i` ends with the layer before index `n_layers`.
+    fn end_material(&mut self, i: usize, n_layers: usize, share_of_material: f64) {
+        let LitLayer { last, share, .. } = self.layer(n_layers - 1);
+        (*last, share.0[i]) = (*last | 1 << i, share_of_material);
+    }
+
+    fn set_point(&mut self, i: usize, point: DVec3, emitted: Rgb) {
+        self.point.set_lane(i, point);
+        self.light.set_lane(i, emitted);
         self.existing |= 1 << i;
-        true
     }
 }
 
 impl<'w> Tracer<'w> {
-    /// Evaluates the surface at the hit of ray `i` of a packet, whose material [has plain layers](crate::world::Material::has_plain_layers),
-    /// and adds it to the list. Returns false, without any effect, if light passes through the surface there, or its bumps are not finite.
-    #[inline(never)]
-    pub(super) fn add_layers_and_is_opaque(
-        &self,
-        lit: &mut LitLayers<'w>,
-        (i, ray): (usize, &Ray),
-        hit: (&Intersection, &Surface),
-    ) -> bool {
-        let at = ShadingPoint::new(self.context.world, ray, hit, &self.context.quality, &Interface::NONE);
-        lit.add_and_is_opaque(i, &at, self.context.has_ambient)
+    /// Adds the light at hits of a packet's rays, whose materials [have plain layers](crate::world::Material::has_plain_layers), to the
+    /// radiances of the rays' samples. Returns the rays for which it did: not those that pass through their surfaces, or meet
+    /// bumps that are not finite. `lanes` are the rays, as bits.
+    pub(super) fn shade_layered_hits(
+        &mut self,
+        packet: &mut Packet,
+        hits: &ClosestHits<'w>,
+        lanes: u32,
+        radiances: &mut [Radiance; PACKET],
+    ) -> u32 {
+        let mut lit = LitLayers::new(std::mem::take(&mut self.layer_buffer));
+        let surfaces = surfaces_of_packet(&packet.rays, hits, lanes);
+        let takes_long_chain = |hit: &Intersection| self.context.world.material_outside(hit).takes_long_chain;
+        let chains = lanes & lanes_of_hits(hits, takes_long_chain);
+        self.add_long_chains(&mut lit, packet, (hits, &surfaces), chains);
+        for i in set_lanes(lanes & !chains) {
+            if let Some(hit) = &hits[i] {
+                self.add_layers_if_opaque(&mut lit, (i, &packet.rays.ray(i)), (hit, &surfaces.lane(i)));
+            }
+        }
+        let shaded = lit.existing;
+        if self.has_air() {
+            for (i, hit) in set_lanes(shaded).filter_map(|i| Some((i, hits[i].as_ref()?))) {
+                self.cross_air(packet, i, hit, &mut radiances[i]);
+            }
+        }
+        for &number in &self.context.world.lit_by[0] {
+            let light = &self.context.world.lights[number as usize];
+            self.add_light_reflected_by_layers(light, &mut lit, &packet.rays, &packet.samples.rays);
+        }
+        for i in set_lanes(shaded) {
+            radiances[i].rgb += packet.throughput.lane(i) * lit.light.lane(i);
+        }
+        self.layer_buffer = lit.layers;
+        shaded
     }
 
-    /// Adds the light of sources that the points reflect along the rays, which come from the rays `camera`. The sources are points:
-    /// see [`Tracer::lights_packets`](super::tracer::Tracer).
+    /// Evaluates the surface at the hit of ray `i` of a packet, and adds it to the list, unless light passes through the surface
+    /// there, or its bumps are not finite.
     #[inline(never)]
-    pub(super) fn add_light_of_sources_to_layers(&mut self, lit: &mut LitLayers, rays: &RayPacket, camera: &RayPacket) {
+    fn add_layers_if_opaque(&self, lit: &mut LitLayers<'w>, (i, ray): (usize, &Ray), hit: (&Intersection, &Surface)) {
+        let at = ShadingPoint::new(self.context.world, ray, hit, &self.context.quality, &Interface::NONE);
+        lit.add_if_opaque(i, &at, self.context.has_ambient);
+    }
+
+    /// Evaluates the surfaces at the hits of the rays `lanes` of a packet, whose materials [take long chains of
+    /// operations](crate::world::Material::takes_long_chain), four by four, and adds them to the list.
+    fn add_long_chains(
+        &self,
+        lit: &mut LitLayers<'w>,
+        packet: &Packet,
+        (hits, surfaces): (&ClosestHits<'w>, &PacketSurfaces),
+        lanes: u32,
+    ) {
         let world = self.context.world;
-        for &number in &world.lit_by[0] {
-            self.add_light_reflected_by_layers(&world.lights[number as usize], lit, rays, camera);
+        let mut left = lanes;
+        while let Some(first) = set_lanes(left).next()
+            && let Some(first_hit) = &hits[first]
+        {
+            let material = world.material_outside(first_hit);
+            let mut four = [(first, first_hit); 4];
+            let is_same = |hit: &Intersection| std::ptr::eq(world.material_outside(hit), material);
+            let same = set_lanes(left).filter_map(|i| Some((i, hits[i].as_ref().filter(|hit| is_same(hit))?)));
+            let mut n = 0;
+            for (place, found) in four.iter_mut().zip(same) {
+                (*place, n) = (found, n + 1);
+            }
+            let contexts = four.map(|(i, hit)| {
+                let (ray, surface) = (packet.rays.ray(i), surfaces.lane(i));
+                let placed = &world.parts[hit.part_number() as usize].outside;
+                texture_context(world, placed, hit, &surface, facing_normal(&surface, &ray), &ray).1
+            });
+            let layer = &material.layers[0];
+            let colors = layer.pigment.colors_at(&contexts);
+            for ((&(i, _), context), color) in four[..n].iter().zip(&contexts).zip(colors) {
+                left &= !(1 << i);
+                let shaded = ShadedLayer::on_top(layer, color, context, world.opacity_by_color);
+                lit.add_single_layer(i, context.world, &shaded, self.context.has_ambient);
+            }
         }
     }
 

@@ -30,6 +30,15 @@ pub(super) struct ShadedLayer<'w> {
     pub is_translucent: bool,
 }
 
+impl<'w> ShadedLayer<'w> {
+    /// Returns the topmost layer of a texture without bumps, at a point where its colour is known.
+    pub fn on_top(layer: &'w Layer, color: Color, at: &TextureContext, opacity_by_color: bool) -> Self {
+        let (weight, normal) = (Rgb::ONE, at.normal);
+        let (opacity, cos) = (color.opacity(opacity_by_color), -at.ray.dot(normal));
+        Self { layer, color, opacity, weight, normal, cos, is_translucent: false }
+    }
+}
+
 /// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts
 /// separately, and the result is the sum weighted by their shares (quirk: `blend_by_light`).
 pub(super) struct MaterialSample {

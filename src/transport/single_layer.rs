@@ -119,7 +119,7 @@ impl<'w, const IS_PLAIN: bool> SingleLayerPoint<'w, IS_PLAIN> {
 
 /// Returns the normal of a surface on the side of the ray's origin.
 #[inline(always)]
-fn facing_normal(surface: &Surface, ray: &Ray) -> DVec3 {
+pub(super) fn facing_normal(surface: &Surface, ray: &Ray) -> DVec3 {
     if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal }
 }
 

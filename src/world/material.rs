@@ -26,10 +26,18 @@ pub struct Material {
     /// and `conserve_energy`.
     #[serde(skip)]
     pub is_plain: bool,
+    /// True if the material is plain, without `diffuse` for light from behind, and does not [take a long
+    /// chain of operations](Self::takes_long_chain).
+    #[serde(skip)]
+    pub is_lit_in_packets: bool,
     /// True if the material is opaque, and each of its layers, also of the materials that patterns select, is plain except that it
     /// may transmit light to the layers below, and has no mirror and no `diffuse` for light from behind.
     #[serde(skip)]
     pub has_plain_layers: bool,
+    /// True if the material is plain, without mirror, bumps and `diffuse` for light from behind, and its pigment [takes a long chain of
+    /// operations](PigmentProgram::takes_long_chain).
+    #[serde(skip)]
+    pub takes_long_chain: bool,
     /// True for one layer, opaque or not, that reflects in proportion to the incoming light, without subsurface light.
     #[serde(skip)]
     pub is_single_layer: bool,
@@ -189,6 +197,11 @@ impl Material {
     /// Lowers a texture; shared finishes and normals are lowered once.
     pub fn new(texture: &Texture, shared: &mut dyn SharedParts) -> Self {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
+        let is_plain = match (&layers[..], &texture.layers[..]) {
+            ([lowered], [written]) => lowered.is_plain_if_opaque() && is_opaque(written),
+            _ => false,
+        };
+        let takes_long_chain = is_plain && layers[0].has_plain_layers() && layers[0].takes_long_chain();
         Self {
             // One opaque layer is enough.
             opaque: texture.layers.iter().any(is_opaque_for_shadows),
@@ -197,10 +210,9 @@ impl Material {
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             is_clear: layers.iter().all(Layer::is_clear),
-            is_plain: match (&layers[..], &texture.layers[..]) {
-                ([lowered], [written]) => lowered.is_plain_if_opaque() && is_opaque(written),
-                _ => false,
-            },
+            is_plain,
+            is_lit_in_packets: is_plain && layers[0].finish.diffuse_back == 0.0 && !takes_long_chain,
+            takes_long_chain,
             has_plain_layers: texture.layers.iter().any(is_opaque) && layers.iter().all(Layer::has_plain_layers),
             is_single_layer: matches!(&layers[..], [layer] if layer.is_single_layer()),
             selects_single_layers: chosen_by(&layers).is_some_and(Choice::selects_single_layers),
@@ -293,6 +305,11 @@ impl Layer {
         }
     }
 
+    fn takes_long_chain(&self) -> bool {
+        self.normal.is_none()
+            && matches!(&self.pigment, LayerColor::PigmentProgram(pigment) if pigment.takes_long_chain())
+    }
+
     /// True if a material of this layer alone is a single layer (see [`Material::is_single_layer`]).
     fn is_single_layer(&self) -> bool {
         self.choice.is_none()
@@ -369,6 +386,14 @@ impl LayerColor {
             (Some(color), true) => Self::Solid(color.with_filter_as_transmit()),
             (None, false) => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
             (None, true) => Self::Untinted(Box::new(PigmentProgram::new(pigment))),
+        }
+    }
+
+    /// Returns [`Self::color_at`] at four points.
+    pub fn colors_at(&self, ctx: &[TextureContext; 4]) -> [Color; 4] {
+        match self {
+            Self::PigmentProgram(pigment) => pigment.colors_at(ctx),
+            _ => ctx.each_ref().map(|ctx| self.color_at(ctx)),
         }
     }
 

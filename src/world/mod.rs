@@ -266,6 +266,12 @@ pub struct LightSource {
 }
 
 impl World {
+    /// Returns the material on the outside of the part that a ray hits.
+    #[inline(always)]
+    pub fn material_outside(&self, hit: &Intersection) -> &Material {
+        &self.materials[self.parts[hit.part_number() as usize].outside.material as usize]
+    }
+
     /// Returns whether objects with the photon settings of this number refract and whether they reflect photons of a light.
     pub fn photon_refracts_and_reflects(&self, light: &LightSource, settings: u32) -> [bool; 2] {
         self.photons[settings as usize].refracts_and_reflects(&light.emitter.photons)

@@ -227,6 +227,10 @@ impl Field for Mandel {
         value
     }
 
+    fn takes_long_chain(&self) -> bool {
+        true
+    }
+
     fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {
         let points = at.each_ref().map(complex_point);
         if points.iter().any(|c| self.is_known(*c)) {
@@ -289,6 +293,10 @@ impl Julia {
 impl Field for Julia {
     fn value(&self, at: &TextureContext) -> f64 {
         self.values_at([complex_point(at)])[0]
+    }
+
+    fn takes_long_chain(&self) -> bool {
+        true
     }
 
     fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {
@@ -376,6 +384,10 @@ impl Magnet {
 impl Field for Magnet {
     fn value(&self, at: &TextureContext) -> f64 {
         self.values_at([complex_point(at)])[0]
+    }
+
+    fn takes_long_chain(&self) -> bool {
+        true
     }
 
     fn values_with_params(&self, at: &[TextureContext; 4], _: &FieldParams) -> [f64; 4] {

@@ -59,6 +59,7 @@ pub struct Power<const N: usize> {
 }
 
 impl<const N: usize> Formula<N> for Power<N> {
+    #[inline(always)]
     fn next(&self, z: Complex<Lanes<N>>) -> Complex<Lanes<N>> {
         z.power(self.n) + self.c
     }
@@ -155,7 +156,10 @@ pub fn follow_orbits<const BLOCK: u32, const LEAST: bool, const N: usize>(
         let mut ahead = now;
         let blind = iterations - i >= BLOCK;
         if blind {
-            (0..BLOCK).for_each(|_| ahead.advance::<LEAST>(formula));
+            // (A loop: the compiler would call the closure of `for_each`.)
+            for _ in 0..BLOCK {
+                ahead.advance::<LEAST>(formula);
+            }
         }
         let (left, sum) = (formula.have_left(ahead.z), ahead.z.x + ahead.z.y);
         if blind && !(0..N).any(|lane| goes_on[lane] & (left[lane] | sum.0[lane].is_nan())) {
@@ -176,7 +180,9 @@ pub fn follow_orbits<const BLOCK: u32, const LEAST: bool, const N: usize>(
         for lane in 0..N {
             if goes_on[lane] & (now.z.x.0[lane] == been.x.0[lane]) & (now.z.y.0[lane] == been.y.0[lane]) {
                 let mut last = now;
-                (0..(iterations - i) % (i - since)).for_each(|_| last.advance::<LEAST>(formula));
+                for _ in 0..(iterations - i) % (i - since) {
+                    last.advance::<LEAST>(formula);
+                }
                 (ends[lane], goes_on[lane]) = (Some(last.end(lane)), false);
             }
         }

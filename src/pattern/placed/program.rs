@@ -119,6 +119,11 @@ impl PatternProgram {
         values.map(|value| number.modifiers.apply_to_number(value))
     }
 
+    /// True if the lowered pattern's number takes a long chain of operations, see [`Field::takes_long_chain`].
+    pub fn takes_long_chain(&self) -> bool {
+        matches!(&self.value, Value::Field(number) if number.field.takes_long_chain())
+    }
+
     /// Returns the number of [`Self::pattern_number_for_map`] at a point in the lowered pattern's space.
     fn map_number_in_pattern_space(&self, inner: &TextureContext, constant_below: f64) -> f64 {
         match &self.value {
