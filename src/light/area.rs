@@ -2,7 +2,8 @@
 
 use super::{Light, read_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::DVec3;
+use crate::math::packet::{Numbers, Vectors};
+use crate::math::{DVec3, Lanes};
 use crate::value::Reader;
 use crate::value::ValueKind::{Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, set, word};
@@ -119,6 +120,29 @@ impl Area {
         }
         let [a, b] = *sides;
         (a * u + b * v) * 0.5
+    }
+
+    /// Returns the offsets of [`Self::light_offset`] for several points, each with its own sides and random numbers.
+    #[inline(always)]
+    pub fn light_offsets(&self, cell: [u32; 2], sides: &[Vectors; 2], random: Option<[Numbers; 2]>) -> Vectors {
+        let place = |i: usize| {
+            let steps = f64::from(self.size[i].max(2) - 1);
+            let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell[i]) };
+            let moved = match &random {
+                Some(random) => (random[i] - 0.5) + middle,
+                None => Lanes::splat(middle + 0.0),
+            };
+            2.0 * moved / Lanes::splat(steps) - 1.0
+        };
+        let (mut u, mut v) = (place(0), place(1));
+        if self.is_disc() {
+            (u, v) = (u + BESIDE, v + BESIDE);
+            let length = (u * u + v * v).sqrt().max(Lanes::splat(f64::MIN_POSITIVE));
+            let shrink = u.abs().max(v.abs()) / length;
+            (u, v) = (u * shrink, v * shrink);
+        }
+        let [a, b] = *sides;
+        (a * u + b * v) * Lanes::splat(0.5)
     }
 
     /// Returns the offsets of the corners, in order around it, of a parallelogram that contains the lights from `low`

@@ -1,7 +1,7 @@
 //! `area_light`: soft shadows by the visibility of a grid of lights (manual, "Area Lights").
 
 use super::interface::Interiors;
-use super::random::{Purpose, RandomSequence};
+use super::random::RandomSequence;
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::{Area, LightSample};
@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 
 /// Maximum difference of the light at a piece's corners, summed over the channels, at which the piece is not subdivided
 /// (quirk: `area_light_subdivision`).
-const MAX_DIFFERENCE: f64 = 0.1;
+pub(super) const MAX_DIFFERENCE: f64 = 0.1;
 /// Maximum number of lights of a grid whose visibilities are stored in an array.
 const MAX_ARRAY: usize = 1 << 16;
 /// Minimum number of lights of a grid for shaft tests, each of which costs as much as a few shadow rays.
@@ -59,15 +59,39 @@ impl Default for Known {
 
 /// A rectangle of lights in a grid, both ends included.
 #[derive(Clone, Copy, Debug)]
-struct LightGridPiece {
-    low: [u32; 2],
-    high: [u32; 2],
+pub(super) struct LightGridPiece {
+    pub low: [u32; 2],
+    pub high: [u32; 2],
 }
 
 impl LightGridPiece {
     /// Returns the number of lights in this piece of an area light's grid.
     fn count(&self) -> usize {
         (0..2).map(|i| (self.high[i] - self.low[i] + 1) as usize).product()
+    }
+
+    /// Returns the lights at the corners of the piece.
+    pub fn corners(&self) -> [[u32; 2]; 4] {
+        let Self { low, high } = *self;
+        [low, [high[0], low[1]], [low[0], high[1]], high]
+    }
+
+    /// True if the piece has no lights but those at its corners.
+    pub fn is_smallest(&self) -> bool {
+        (0..2).all(|i| self.high[i] - self.low[i] <= 1)
+    }
+
+    /// Divides the piece in halves along each side, which share the lights in their middle.
+    pub fn quarters(&self) -> [Self; 4] {
+        let Self { low, high } = *self;
+        let halves = |i: usize| {
+            let half = (high[i] - low[i]) / 2;
+            [(low[i], low[i] + half), (high[i] - half, high[i])]
+        };
+        let ([left, right], [bottom, top]) = (halves(0), halves(1));
+        let piece =
+            |columns: (u32, u32), rows: (u32, u32)| Self { low: [columns.0, rows.0], high: [columns.1, rows.1] };
+        [piece(left, bottom), piece(right, bottom), piece(left, top), piece(right, top)]
     }
 
     /// Divides the piece in halves along each side with more than one light, so that each light is in one part; `None`
@@ -102,14 +126,14 @@ impl GridVisibility<'_> {
 impl Tracer<'_> {
     /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece
     /// counts as the mean of its corners, so inner lights count twice and four times as much as those at edges and
-    /// corners (quirk: `area_light_subdivision`).
+    /// corners (quirk: `area_light_subdivision`). `random` gives the jitter of the lights.
     pub(super) fn area_visibility(
         &mut self,
-        light: &LightSource,
-        area: &Area,
+        (light, area): (&LightSource, &Area),
         point: DVec3,
         center: &LightSample,
         inside: &Interiors,
+        random: RandomSequence,
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
@@ -121,7 +145,7 @@ impl Tracer<'_> {
             center,
             sides: area.sides(-center.to_light),
             inside,
-            random: self.random.sequence(Purpose::AreaLight),
+            random,
             settle_level: area.adaptive,
             has_shafts: false,
             known: Known::default(),
@@ -133,7 +157,7 @@ impl Tracer<'_> {
         let ends = [all.low, all.high].map(|end| (end, is_traced.then(|| self.trace_cell_visibility(&grid, end))));
         if has_shafts {
             let is_lit = ends.iter().all(|(_, visibility)| visibility.is_none_or(|visibility| visibility == Rgb::ONE));
-            if is_lit && self.is_piece_unoccluded(&grid, all) {
+            if is_lit && self.is_piece_unoccluded((light, area), point, center.to_light, all) {
                 return Rgb::ONE;
             }
             // (An adaptive grid has too few rays for tests of its parts.)
@@ -161,7 +185,7 @@ impl Tracer<'_> {
     /// True if shaft tests may replace shadow rays from the point: the point needs many of them, and nothing attenuates a
     /// shadow ray without hits. (A grid with `adaptive 0` needs only four where it is lit.) Air attenuates such a ray, but
     /// interiors around the point do not, since their media end at a surface (quirk: `light_inside_media`).
-    fn may_test_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
+    pub(super) fn may_test_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
         let count = area.size[0] as usize * area.size[1] as usize;
         self.context.has_shafts
             && area.adaptive != Some(0)
@@ -178,15 +202,21 @@ impl Tracer<'_> {
         self.shaft_occluders[light.number].is_some_and(|last| last.surrounds(point))
     }
 
-    /// True only if no object occludes any light of the piece: no object that casts shadows is in the shaft from the
-    /// point to the lights.
-    fn is_piece_unoccluded(&mut self, grid: &GridVisibility, piece: LightGridPiece) -> bool {
+    /// True only if no object occludes any light of a piece of a grid from a point, where the grid's centre is in the direction
+    /// `to_center`: no object that casts shadows is in the shaft from the point to the lights.
+    pub(super) fn is_piece_unoccluded(
+        &mut self,
+        (light, area): (&LightSource, &Area),
+        point: DVec3,
+        to_center: DVec3,
+        piece: LightGridPiece,
+    ) -> bool {
         let world = self.context.world;
-        let hull = grid.area.offset_parallelogram(piece.low, piece.high, -grid.center.to_light);
-        let corners = hull.map(|offset| grid.light.emitter.location + offset);
+        let hull = area.offset_parallelogram(piece.low, piece.high, -to_center);
+        let corners = hull.map(|offset| light.emitter.location + offset);
         let casts_shadow = |id: u32| world.objects[id as usize].shadow;
-        let last = &mut self.shaft_occluders[grid.light.number];
-        Shaft::new(grid.point, corners)
+        let last = &mut self.shaft_occluders[light.number];
+        Shaft::new(point, corners)
             .is_some_and(|shaft| world.geometry.is_shaft_clear(&shaft, world.epsilon.shadow, casts_shadow, last))
     }
 
@@ -198,7 +228,7 @@ impl Tracer<'_> {
         }
         for part in piece.parts().into_iter().flatten().filter(|part| part.count() >= MIN_PART) {
             let is_lit = [part.low, part.high].iter().all(|end| self.cell_visibility(grid, *end) == Rgb::ONE);
-            match is_lit && self.is_piece_unoccluded(grid, part) {
+            match is_lit && self.is_piece_unoccluded((grid.light, grid.area), grid.point, grid.center.to_light, part) {
                 true => grid.store_if_array(part, Rgb::ONE),
                 false => self.store_unoccluded_parts(grid, part),
             }
@@ -207,34 +237,22 @@ impl Tracer<'_> {
 
     /// Returns the mean visibility of a piece of the grid after `halvings_done` halvings.
     fn piece_visibility(&mut self, grid: &mut GridVisibility, piece: LightGridPiece, halvings_done: u32) -> Rgb {
-        let LightGridPiece { low, high } = piece;
-        let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell_visibility(grid, cell));
-        let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
+        let corners = piece.corners().map(|cell| self.cell_visibility(grid, cell));
         let is_settled = grid.settle_level.is_some_and(|least| halvings_done >= least)
             && differs_too_little_to_split(&corners, grid.center.light);
-        if is_single || is_settled || self.count_surface_and_is_stopped() {
+        if piece.is_smallest() || is_settled || self.count_surface_and_is_stopped() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
         if grid.has_shafts
             && corners == [Rgb::ONE; 4]
             && piece.count() >= MIN_PART
-            && self.is_piece_unoccluded(grid, piece)
+            && self.is_piece_unoccluded((grid.light, grid.area), grid.point, grid.center.to_light, piece)
         {
             return Rgb::ONE;
         }
-        let halves = |i: usize| {
-            let half = (high[i] - low[i]) / 2;
-            [(low[i], low[i] + half), (high[i] - half, high[i])]
-        };
         let mut sum = Rgb::ZERO;
-        for (bottom, top) in halves(1) {
-            for (left, right) in halves(0) {
-                sum += self.piece_visibility(
-                    grid,
-                    LightGridPiece { low: [left, bottom], high: [right, top] },
-                    halvings_done + 1,
-                );
-            }
+        for quarter in piece.quarters() {
+            sum += self.piece_visibility(grid, quarter, halvings_done + 1);
         }
         sum * 0.25
     }
@@ -269,8 +287,14 @@ impl Tracer<'_> {
 /// the sides of the grid.
 #[inline]
 pub(super) fn jittered_offset(area: &Area, cell: [u32; 2], sides: &[DVec3; 2], random: RandomSequence) -> DVec3 {
-    let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
+    let number = number_of_jitter(cell);
     area.light_offset(cell, sides, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
+}
+
+/// Returns the number of the first of the two random numbers that displace a light of a grid.
+#[inline(always)]
+pub(super) fn number_of_jitter(cell: [u32; 2]) -> u64 {
+    2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]))
 }
 
 /// True if the light at a piece's corners differs so little that the piece is not subdivided.

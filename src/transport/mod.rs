@@ -8,6 +8,7 @@
 //! surfaces are plain (`packet`, `packet_light`), with the same results.
 
 mod area_light;
+mod area_packet;
 mod context;
 mod dipole;
 mod direct_light;

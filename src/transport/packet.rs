@@ -44,7 +44,7 @@ pub(super) struct Packet<'a> {
     /// Factor of each ray's radiance in its sample: red, green and blue.
     pub throughput: Vectors,
     /// Number of reflections before.
-    vertex: u32,
+    pub vertex: u32,
 }
 
 /// A ray that a mirror reflects.
@@ -157,7 +157,7 @@ impl<'w> Tracer<'w> {
             }
         }
         if !lit.is_empty() {
-            self.add_light_of_sources_to_points(&mut lit, &packet.rays, &packet.samples.rays);
+            self.add_light_of_sources_to_points(&mut lit, packet);
             for (i, light) in lit.light() {
                 radiances[i].rgb += packet.throughput.lane(i) * light;
             }

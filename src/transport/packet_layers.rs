@@ -1,6 +1,7 @@
 //! Light of opaque surfaces with several layers, or with patterns that blend materials, at the hits of a packet's rays. The surfaces
 //! are evaluated one by one; the light that sources send to them is computed side by side, layer by layer.
 
+use super::area_packet::PacketShadows;
 use super::direct_light::{LitSurface, emitted_light};
 use super::interface::Interface;
 use super::packet::{Packet, lanes_of_hits};
@@ -10,7 +11,7 @@ use super::shading_point::{ShadedLayer, ShadingPoint, texture_context};
 use super::single_layer::facing_normal;
 use super::tracer::Tracer;
 use crate::color::Rgb;
-use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
+use crate::math::packet::{Flags, Numbers, PACKET, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
 use crate::math::{DVec3, Lanes, Ray};
 use crate::world::{ClosestHits, Intersection, LightSource, PacketSurfaces, Surface, surfaces_of_packet};
@@ -136,9 +137,9 @@ impl<'w> Tracer<'w> {
                 self.cross_air(packet, i, hit, &mut radiances[i]);
             }
         }
+        let mut shadows = PacketShadows::new(packet);
         for &number in &self.context.world.lit_by[0] {
-            let light = &self.context.world.lights[number as usize];
-            self.add_light_reflected_by_layers(light, &mut lit, &packet.rays, &packet.samples.rays);
+            self.add_light_reflected_by_layers(&self.context.world.lights[number as usize], &mut lit, &mut shadows);
         }
         for i in set_lanes(shaded) {
             radiances[i].rgb += packet.throughput.lane(i) * lit.light.lane(i);
@@ -192,22 +193,16 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// Adds the light of a point light that the points reflect along the rays.
-    fn add_light_reflected_by_layers(
-        &mut self,
-        light: &LightSource,
-        lit: &mut LitLayers,
-        rays: &RayPacket,
-        camera: &RayPacket,
-    ) {
-        let arriving = ArrivingLight::of_point_light(light, lit.existing, &lit.point);
+    /// Adds the light of a source that the points reflect along the rays.
+    fn add_light_reflected_by_layers(&mut self, light: &LightSource, lit: &mut LitLayers, shadows: &mut PacketShadows) {
+        let arriving = ArrivingLight::from_center(light, lit.existing, &lit.point);
         let faces = faces_light(lit, &arriving);
         if !faces.any() {
             return;
         }
-        let (visible, share) = self.visibility_of_packet(light, (&lit.point, camera), &arriving, faces);
+        let (visible, share) = self.visibility_of_packet(light, &lit.point, &arriving, faces, shadows);
         if visible.any() {
-            add_reflected(lit, &rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
+            add_reflected(lit, &shadows.packet.rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
         }
     }
 }

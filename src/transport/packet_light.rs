@@ -1,7 +1,9 @@
 //! Light that sources send to the plain surfaces of a packet's hits: the terms of [`super::direct_light`] side by side, each with
 //! the bits that it has alone.
 
+use super::area_packet::PacketShadows;
 use super::direct_light::{emitted_light, lobe_strength, metal_tint};
+use super::packet::Packet;
 use super::shading_point::ShadedLayer;
 use super::single_layer::SingleLayerPoint;
 use super::tracer::Tracer;
@@ -38,9 +40,9 @@ pub(super) struct LitPoints<'w> {
 
 /// Light of one source that reaches the points without occlusion.
 pub(super) struct ArrivingLight {
-    /// Directions to the light, length 1.
-    to_light: Vectors,
-    distance: Numbers,
+    /// Directions to the light's centre, length 1.
+    pub to_light: Vectors,
+    pub distance: Numbers,
     /// Red, green and blue.
     pub light: Vectors,
 }
@@ -127,65 +129,53 @@ impl<'w> LitPoints<'w> {
 }
 
 impl Tracer<'_> {
-    /// Adds the light of sources that the points reflect along the rays, which come from the rays `camera`. The sources are points:
-    /// see [`Tracer::lights_packets`](super::tracer::Tracer).
-    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut LitPoints, rays: &RayPacket, camera: &RayPacket) {
-        let world = self.context.world;
+    /// Adds the light of sources that the points reflect along the rays of a packet.
+    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut LitPoints, packet: &Packet) {
+        let (world, mut shadows) = (self.context.world, PacketShadows::new(packet));
         // (Parts without uncommon properties belong to the first set.)
         for &number in &world.lit_by[0] {
-            self.add_reflected_light(&world.lights[number as usize], lit, rays, camera);
+            self.add_reflected_light(&world.lights[number as usize], lit, &mut shadows);
         }
     }
 
-    /// Adds the light of a point light that the points reflect along the rays.
-    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints, rays: &RayPacket, camera: &RayPacket) {
-        let arriving = ArrivingLight::of_point_light(light, lit.existing, &lit.point);
+    /// Adds the light of a source that the points reflect along the rays.
+    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints, shadows: &mut PacketShadows) {
+        let arriving = ArrivingLight::from_center(light, lit.existing, &lit.point);
         let faces = faces_light(lit, &arriving);
         if !faces.any() {
             return;
         }
-        let (visible, share) = self.visibility_of_packet(light, (&lit.point, camera), &arriving, faces);
+        let (visible, share) = self.visibility_of_packet(light, &lit.point, &arriving, faces, shadows);
         if visible.any() {
-            add_reflected(lit, &rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
+            add_reflected(lit, &shadows.packet.rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
         }
     }
 
     /// Returns for which of the points `faces` the light is visible at all, and the share that is visible, per channel. The points
-    /// are those of the camera rays `camera`.
+    /// are those of the rays of `shadows`.
+    #[inline]
     pub(super) fn visibility_of_packet(
         &mut self,
         light: &LightSource,
-        (points, camera): (&Vectors, &RayPacket),
+        points: &Vectors,
         arriving: &ArrivingLight,
         faces: Flags,
+        shadows: &mut PacketShadows,
     ) -> (Flags, Vectors) {
-        let world = self.context.world;
-        let mut share = Vectors::splat(Rgb::ONE);
-        let epsilon = world.epsilon.shadow;
-        let max = arriving.distance - epsilon;
-        let casts_shadows = !light.emitter.shadowless && self.context.quality.shadows;
-        let has_ray = faces & Lanes::splat(epsilon).less_than(max);
-        if !casts_shadows || !has_ray.any() {
-            return (faces, share);
+        if let Some(area) = self.light_grid(light, 0) {
+            return self.area_visibility_of_packet((light, area), points, arriving, faces, shadows);
         }
-        let packet = RayPacket { origin: *points, dir: arriving.to_light };
-        let role = |id: u32| world.shadow_role(id);
-        let hints = (&mut self.occluders[light.number], &mut self.shadow_coherence);
-        let occlusion = world.geometry.occlusion_of_packet(&packet, has_ray, (epsilon, &max), role, hints);
-        self.counts.shadow += u64::from((has_ray & !occlusion.may_be_filtered).bits().count_ones());
-        for i in set_lanes(occlusion.may_be_filtered.bits()) {
-            let inside = self.context.interiors_of_camera_ray(camera.origin.lane(i));
-            let transmitted = self.visibility_along_ray(light, &packet.ray(i), arriving.distance.0[i], &inside);
-            share.set_lane(i, transmitted);
-        }
-        (faces & !occlusion.occluded & !share.is_zero(), share)
+        let (context, packet) = (self.context, shadows.packet);
+        let inside = |i: usize| context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
+        let shadow_rays = RayPacket { origin: *points, dir: arriving.to_light };
+        self.visibility_along_rays(light, (&shadow_rays, &arriving.distance), faces, inside)
     }
 }
 
 impl ArrivingLight {
-    /// Samples a point light at the points `existing`.
+    /// Samples the centre of a light at the points `existing`.
     #[inline(always)]
-    pub fn of_point_light(light: &LightSource, existing: u32, points: &Vectors) -> Self {
+    pub fn from_center(light: &LightSource, existing: u32, points: &Vectors) -> Self {
         if light.emitter.is_even_point() {
             return arriving_from_point(light.emitter.location, light.emitter.color, points);
         }
@@ -198,6 +188,12 @@ impl ArrivingLight {
             all.light.set_lane(i, light);
         }
         all
+    }
+
+    /// Returns the light that arrives at one point.
+    pub fn lane(&self, i: usize) -> LightSample {
+        let Self { to_light, distance, light } = self;
+        LightSample { to_light: to_light.lane(i), distance: distance.0[i], light: light.lane(i) }
     }
 
     /// True for the points that light reaches from a direction that is known.

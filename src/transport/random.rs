@@ -1,7 +1,7 @@
 //! Random numbers, each keyed by frame, pixel, sample, vertex of the ray tree, and purpose. Therefore a new use of
 //! random numbers changes no other numbers, and they do not depend on threads or on the rendered region.
 
-use crate::math::rng;
+use crate::math::rng::{self, KeyStart};
 
 /// Use of a random number.
 #[derive(Clone, Copy, Debug)]
@@ -67,29 +67,39 @@ impl Random {
     pub fn sequence(&mut self, purpose: Purpose) -> RandomSequence {
         let draws = &mut self.draws[purpose as usize];
         *draws += 1;
-        RandomSequence(rng::random_word(&[self.frame, self.pixel, self.sample, self.vertex, purpose as u64, *draws]))
+        let n = *draws;
+        self.nth_sequence([self.pixel, self.sample, self.vertex], purpose, n)
     }
 
     /// Returns the sequence that [`Self::sequence`] returns first after the start of a sample.
     pub fn first_sequence(&self, pixel: u64, sample: u64, purpose: Purpose) -> RandomSequence {
-        let mut random = Self { vertex: 0, draws: [0; PURPOSES], pixel, sample, ..*self };
-        random.sequence(purpose)
+        self.nth_sequence([pixel, sample, 0], purpose, 1)
+    }
+
+    /// Returns the sequence that the call number `n` of [`Self::sequence`], counted from 1, returns at a vertex of a sample of a pixel.
+    pub(super) fn nth_sequence(&self, [pixel, sample, vertex]: [u64; 3], purpose: Purpose, n: u64) -> RandomSequence {
+        RandomSequence::new(&[self.frame, pixel, sample, vertex, purpose as u64, n])
     }
 
     /// Returns a sequence of random numbers that all samples of a pixel share.
     pub fn pixel_sequence(&self, pixel: u64, purpose: Purpose) -> RandomSequence {
-        RandomSequence(rng::random_word(&[self.frame, pixel, u64::MAX, purpose as u64]))
+        RandomSequence::new(&[self.frame, pixel, u64::MAX, purpose as u64])
     }
 }
 
 /// A sequence of random numbers that can be indexed.
-#[derive(Clone, Copy, Debug)]
-pub struct RandomSequence(u64);
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RandomSequence(KeyStart);
 
 impl RandomSequence {
+    fn new(key: &[u64]) -> Self {
+        Self(KeyStart::new(&[rng::random_word(key)]))
+    }
+
     /// Returns the random number of this index in the sequence, in [0, 1).
+    #[inline(always)]
     pub fn at(self, number: u64) -> f64 {
-        rng::random_unit(&[self.0, number])
+        self.0.unit(number)
     }
 }
 

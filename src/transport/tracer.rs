@@ -1,5 +1,6 @@
 //! The state of one thread while it traces rays.
 
+use super::area_packet::KnownLights;
 use super::context::FrameContext;
 use super::packet_layers::LitLayer;
 use super::photons::Found;
@@ -81,17 +82,22 @@ pub struct Tracer<'w> {
     pub(super) traces_photons: bool,
     /// True if shadow rays pass targets of photons as other transparent objects: the lit surface does not collect photons.
     pub(super) targets_transmit_light: bool,
+    /// Buffer of the visibilities of a grid of lights, kept from packet to packet.
+    pub(super) known_lights: KnownLights,
     /// Buffer of the layers at the points of a packet, kept from packet to packet.
     pub(super) layer_buffer: Vec<LitLayer<'w>>,
     /// Buffers of photon searches, kept from search to search to avoid allocations.
     pub(super) photon_buffers: [Found; 2],
 }
 
-/// True if the light of plain surfaces can be computed in packets: there are no media and no rainbows, and each light is one point
-/// that needs to pass no object and that fog does not attenuate.
+/// True if the light of plain surfaces can be computed in packets: there are no media and no rainbows, and each light needs to pass
+/// no object, is not attenuated by fog, and illuminates from its centre.
 fn can_light_packets(world: &World) -> bool {
-    let is_simple =
-        |light: &LightSource| light.through.is_none() && light.emitter.area.is_none() && !light.emitter.attenuated;
+    let is_simple = |light: &LightSource| {
+        light.through.is_none()
+            && light.emitter.area.as_ref().is_none_or(|area| !area.illumination)
+            && !light.emitter.attenuated
+    };
     world.media.is_empty() && world.air.is_empty() && world.rainbows.is_empty() && world.lights.iter().all(is_simple)
 }
 
@@ -124,6 +130,7 @@ impl<'w> Tracer<'w> {
                 && can_light_packets(context.world),
             traces_photons: false,
             targets_transmit_light: false,
+            known_lights: KnownLights::default(),
             layer_buffer: vec![],
             photon_buffers: <[Found; 2]>::default(),
         }

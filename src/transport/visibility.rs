@@ -2,12 +2,14 @@
 
 use super::interface::{Interface, Interiors, copy_interiors};
 use super::photons::{self, Photons};
+use super::random::Purpose;
 use super::segment::{ShadowSegments, Span};
 use super::shading_point::{self, ShadingPoint};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::{Area, LightSample};
-use crate::math::{DVec3, Range, Ray};
+use crate::math::packet::{Flags, Numbers, RayPacket, Vectors, set_lanes};
+use crate::math::{DVec3, Lanes, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::{Intersection, Intersections, LightFilters, LightSource, World};
 
@@ -42,7 +44,10 @@ impl Tracer<'_> {
         bounces: u8,
     ) -> Rgb {
         match self.light_grid(light, bounces) {
-            Some(area) => self.area_visibility(light, area, point, sample, inside),
+            Some(area) => {
+                let random = self.random.sequence(Purpose::AreaLight);
+                self.area_visibility((light, area), point, sample, inside, random)
+            }
             None => self.visibility_along_ray(light, &Ray::new(point, sample.to_light), sample.distance, inside),
         }
     }
@@ -67,6 +72,36 @@ impl Tracer<'_> {
         }
         self.counts.shadow += 1;
         self.transmittance(&ShadowRay { light, ray, range, distance }, inside)
+    }
+
+    /// Returns for which of the shadow rays `counts` of a packet, each to a point of the light at the distance `distance`, that point
+    /// is visible at all; and the share that is visible, per channel. Both are those of [`Self::visibility_along_ray`], for lights and
+    /// scenes that are [lit in packets](Self::lights_packets). `inside` returns the interiors that contain the origin of a ray.
+    pub(super) fn visibility_along_rays(
+        &mut self,
+        light: &LightSource,
+        (rays, distance): (&RayPacket, &Numbers),
+        counts: Flags,
+        inside: impl Fn(usize) -> Interiors,
+    ) -> (Flags, Vectors) {
+        let world = self.context.world;
+        let mut share = Vectors::splat(Rgb::ONE);
+        let epsilon = world.epsilon.shadow;
+        let max = *distance - epsilon;
+        let casts_shadows = !light.emitter.shadowless && self.context.quality.shadows;
+        let has_ray = counts & Lanes::splat(epsilon).less_than(max);
+        if !casts_shadows || !has_ray.any() {
+            return (counts, share);
+        }
+        let role = |id: u32| world.shadow_role(id);
+        let hints = (&mut self.occluders[light.number], &mut self.shadow_coherence);
+        let occlusion = world.geometry.occlusion_of_packet(rays, has_ray, (epsilon, &max), role, hints);
+        self.counts.shadow += u64::from((has_ray & !occlusion.may_be_filtered).bits().count_ones());
+        for i in set_lanes(occlusion.may_be_filtered.bits()) {
+            let transmitted = self.visibility_along_ray(light, &rays.ray(i), distance.0[i], &inside(i));
+            share.set_lane(i, transmitted);
+        }
+        (counts & !occlusion.occluded & !share.is_zero(), share)
     }
 
     /// True if photons replace the light that an object on the shadow ray transmits. (Not inlined: shadow rays of scenes
