@@ -76,18 +76,12 @@ impl Tracer<'_> {
         let is_small = count <= if area.adaptive.is_some() { MAX_LIGHTS } else { MAX_NOT_ADAPTIVE };
         let lanes = faces.bits();
         let mut share = Vectors::ZERO;
-        if !is_small
-            || light.emitter.is_parallel()
-            || (lanes.count_ones() as usize) < MIN_RAYS
-            || self.shadow_coherence.is_single()
-        {
-            let n_traced = self.counts.shadow;
+        if !is_small || light.emitter.is_parallel() || (lanes.count_ones() as usize) < MIN_RAYS {
             for i in set_lanes(lanes) {
                 let inside = self.context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
                 let center = arriving.lane(i);
                 share.set_lane(i, self.area_visibility((light, area), points.lane(i), &center, &inside, random[i]));
             }
-            self.shadow_coherence.record_single_rays(self.counts.shadow - n_traced);
         } else {
             let mut sides = [Vectors::splat(area.axes[0]), Vectors::splat(area.axes[1])];
             if area.orient {

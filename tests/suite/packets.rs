@@ -17,13 +17,33 @@ const TEXTURES: [&str; 6] = [
     "pigment { rgb 0.6 } finish { diffuse 0 ambient 0.3 }",
 ];
 
-/// Textures whose light is computed ray by ray: they transmit light, have grain, or two layers (the last one, which ends the block of
-/// the first layer by itself).
-const OTHERS: [&str; 4] = [
+/// Textures whose light is computed ray by ray: they transmit light, have grain, or reflect light from behind.
+const OTHERS: [&str; 3] = [
     "pigment { rgbf <0.9, 1, 0.9, 0.8> } finish { reflection 0.2 specular 0.5 }",
     "pigment { rgb 0.7 } finish { crand 0.1 }",
     "pigment { rgb 0.7 } finish { diffuse 0.4, 0.3 }",
-    "pigment { wood scale 0.3 } } texture { pigment { gradient x color_map { [0 rgbt 1] [1 rgbt <1, 0, 0, 0.3>] } }",
+];
+
+/// Textures of several layers or materials that light reaches in packets, some of them not everywhere. (Each ends the block of its
+/// first layer by itself.)
+const LAYERED: [&str; 7] = [
+    "pigment { wood scale 0.3 } finish { specular 0.4 } }
+     texture { pigment { gradient x color_map { [0 rgbt 1] [1 rgbt <1, 0, 0, 0.3>] } } finish { phong 0.5 phong_size 9.5 }",
+    "pigment { checker rgb 0.3 rgb 0.8 scale 0.4 } normal { bumps 0.5 scale 0.1 } } texture { pigment { rgbf <1, 0.8, 0.7, 0.6> } }
+     texture { pigment { bozo color_map { [0.4 rgbt 1] [0.6 rgb y] } scale 0.2 } normal { ripples 0.4 scale 0.2 }",
+    "gradient y texture_map { [0.2 pigment { rgb x } finish { phong 1 }] [0.8 pigment { rgb z } normal { dents 0.4 }] } scale 0.9",
+    "average texture_map { [1 pigment { rgb x }] [2 pigment { rgb y } finish { ambient 0.2 specular 0.4 metallic }] }",
+    "checker texture { pigment { rgb 0.9 } }, texture { pigment { rgb 0.1 } finish { reflection 0.3 } } scale 0.4",
+    "pigment { rgb 0.5 } } texture { pigment { rgbt <0.4, 0.9, 0.2, 0.05> } finish { ambient 0 diffuse 0.9 brilliance 2 }",
+    "pigment { gradient x color_map { [0.5 rgb 0.8] [0.5 rgbt <0, 0, 1, 0.7>] } scale 0.3 } } texture { pigment { rgbt 0.5 }",
+];
+
+/// Textures of patterns that are evaluated at several points together.
+const FRACTALS: [&str; 4] = [
+    "pigment { mandel 40 color_map { [0 rgb 0.1] [0.3 rgb <1, 0.7, 0>] [1 rgb 1] } scale 0.7 } finish { specular 0.3 }",
+    "pigment { julia <0.32, 0.04>, 25 interior 1, 3 exterior 6, 0.1 }",
+    "pigment { magnet 1 mandel 20 turbulence 0.2 scale 0.6 }",
+    "pigment { mandel 30 exponent 4 interior 2, 1 } finish { reflection 0.2 }",
 ];
 
 /// Lights of all kinds.
@@ -101,7 +121,8 @@ fn plain_surfaces() {
 
 #[test]
 fn surfaces_of_all_kinds() {
-    let mixed: Vec<&str> = TEXTURES.iter().zip(OTHERS.iter().cycle()).flat_map(|(a, b)| [*a, *b]).collect();
+    let others = OTHERS.iter().chain(&LAYERED).cycle();
+    let mixed: Vec<&str> = TEXTURES.iter().zip(others).flat_map(|(a, b)| [*a, *b]).collect();
     assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&mixed))), false);
     assert_single_rays_agree(&scene("", "spherical angle 120", &format!("{LIGHTS} {}", objects(&mixed[3..]))), false);
     let refracting =
@@ -110,12 +131,49 @@ fn surfaces_of_all_kinds() {
 }
 
 #[test]
+fn surfaces_of_several_layers() {
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&LAYERED))), false);
+    for texture in [LAYERED[1], LAYERED[2], LAYERED[4]] {
+        assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&[texture]))), false);
+    }
+    let fog = "fog { distance 9 rgb <0.7, 0.8, 0.9> }";
+    assert_single_rays_agree(&scene("", "", &format!("{fog} {LIGHTS} {}", objects(&LAYERED[..4]))), true);
+}
+
+#[test]
+fn patterns_at_several_points() {
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&FRACTALS))), false);
+    assert_single_rays_agree(&scene("", "", &format!("{LIGHTS} {}", objects(&FRACTALS[2..3]))), false);
+}
+
+#[test]
+fn soft_shadows() {
+    let light = |words: &str| format!("light_source {{ <4, 6, -5>, rgb 0.6 area_light 3*x, 2*y, {words} }}");
+    let point = "light_source { <-4, 6, -5>, rgb 0.4 }";
+    let textures: Vec<&str> = TEXTURES.iter().zip(LAYERED).flat_map(|(a, b)| [*a, b]).collect();
+    for words in [
+        "5, 4",
+        "5, 5 adaptive 0 fade_distance 5 fade_power 1",
+        "9, 9 adaptive 1 jitter",
+        "8, 8 adaptive 2 jitter circular orient",
+        "3, 1 adaptive 1 orient spotlight point_at 0 radius 12 falloff 20",
+        "4, 4 adaptive 1 parallel point_at 0",
+        "3, 3 shadowless",
+        "17, 17 jitter",
+        "40, 40 adaptive 1",
+        "3, 3 area_illumination",
+    ] {
+        let lights = format!("{} {} {point}", light(words), light("4, 4 adaptive 1 jitter translate 8 * z"));
+        assert_single_rays_agree(&scene("", "", &format!("{lights} {}", objects(&textures[..7]))), false);
+    }
+    let filtering = format!("{} {point} {}", light("6, 6 adaptive 1 jitter"), objects(&[OTHERS[0], TEXTURES[3]]));
+    assert_single_rays_agree(&scene("", "", &filtering), false);
+}
+
+#[test]
 fn air_and_lights_that_need_single_rays() {
     let fog = "fog { distance 9 rgb <0.7, 0.8, 0.9> } fog { fog_type 2 distance 4 fog_offset 0.3 fog_alt 0.4 rgb 0.6 }";
     assert_single_rays_agree(&scene("", "", &format!("{fog} {LIGHTS} {}", objects(&TEXTURES))), false);
-    let area =
-        "light_source { <4, 6, -5>, rgb 0.6 area_light x, y, 2, 2 jitter } light_source { <-4, 6, -5>, rgb 0.4 }";
-    assert_single_rays_agree(&scene("", "", &format!("{area} {}", objects(&TEXTURES))), false);
     let group =
         format!("light_group {{ light_source {{ <4, 6, -5>, rgb 0.6 }} {} global_lights on }}", objects(&TEXTURES));
     assert_single_rays_agree(&scene("", "", &format!("light_source {{ <-4, 6, -5>, rgb 0.4 }} {group}")), false);

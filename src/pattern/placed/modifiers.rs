@@ -40,6 +40,13 @@ pub struct Modifiers {
 
 /// Period of a pattern's wave (quirk: wave_period).
 pub(super) const PERIOD: f64 = 1.00001;
+/// The period rounded to 26 bits, whose products with numbers of 27 bits are exact, and the rest.
+const PERIOD_PARTS: [f64; 2] = [HIGH, PERIOD - HIGH];
+const HIGH: f64 = f64::from_bits(PERIOD.to_bits() & !0x7ff_ffff);
+/// Number that is certainly above 1/[`PERIOD`], by a few units in the last place.
+const FREQUENCY: f64 = f64::from_bits((1.0 / PERIOD).to_bits() + 4);
+/// Magnitude of a number below which [`remainder_of_period`] needs no general remainder.
+const FAR: f64 = 1e6;
 
 impl Modifiers {
     /// The default frequency, phase and wave type of a pattern.
@@ -72,7 +79,7 @@ impl Modifiers {
     pub fn apply_to_number(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
-        let shifted = if frequency == 0.0 { shifted } else { fp::remainder(shifted, PERIOD) };
+        let shifted = if frequency == 0.0 { shifted } else { remainder_of_period(shifted) };
         let v = if shifted < 0.0 { fp::fraction_above_floor(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
@@ -101,6 +108,22 @@ impl Modifiers {
     }
 }
 
+/// Returns the remainder of a number and the period, with the sign of the number: exactly that of the operator `%`.
+fn remainder_of_period(number: f64) -> f64 {
+    let x = number.abs();
+    if x < PERIOD {
+        return number;
+    }
+    // (Also for NaN)
+    if !(x < FAR) {
+        return fp::remainder(number, PERIOD);
+    }
+    // The quotient is right or one too large. All numbers are multiples of 2⁻⁵² and below 2, so no step rounds.
+    let quotient = (x * FREQUENCY).trunc();
+    let rest = (x - quotient * PERIOD_PARTS[0]) - quotient * PERIOD_PARTS[1];
+    (if rest < 0.0 { rest + PERIOD } else { rest }).copysign(number)
+}
+
 fn to_single_precision(x: f64) -> f64 {
     f64::from(x as f32)
 }
@@ -113,10 +136,10 @@ mod tests {
     fn wrapping_is_a_remainder() {
         for i in 0..4000 {
             let x = f64::from(i) * 0.010_001 - 20.0;
-            assert_eq!(fp::remainder(x, PERIOD), x % PERIOD, "{x}");
+            assert_eq!(remainder_of_period(x), x % PERIOD, "{x}");
             let near = f64::from(i - 2000) * PERIOD;
             for x in [near, near.next_up(), near.next_down()] {
-                assert_eq!(fp::remainder(x, PERIOD), x % PERIOD, "{x}");
+                assert_eq!(remainder_of_period(x), x % PERIOD, "{x}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Choice between packets of rays and single rays.
 
-use crate::math::packet::{Flags, MIN_RAYS, PACKET};
+use crate::math::packet::{Flags, MIN_RAYS};
 
 /// Number of tested boxes after which packets are compared with single rays.
 const TESTED_BOXES: u32 = 48;
@@ -22,16 +22,6 @@ pub struct Coherence {
 }
 
 impl Coherence {
-    /// True if the rays of the next packets are to be traced one by one.
-    pub fn is_single(&self) -> bool {
-        self.n_single > 0
-    }
-
-    /// Records how many rays were traced one by one.
-    pub fn record_single_rays(&mut self, n_rays: u64) {
-        self.n_single = self.n_single.saturating_sub((n_rays / PACKET as u64) as u32);
-    }
-
     /// True if the rays of the next packet, of which `counts` count, are to be traced one by one.
     pub(super) fn next_is_single(&mut self, counts: Flags) -> bool {
         let is_single = self.n_single > 0;
