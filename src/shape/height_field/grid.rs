@@ -111,6 +111,28 @@ impl Grid {
         ]
     }
 
+    /// Number of a triangle of the height field.
+    pub fn number_of_triangle(&self, Place { i, k, upper }: Place) -> u32 {
+        2 * (k * self.across + i) as u32 + u32::from(upper)
+    }
+
+    /// Returns the triangle of the height field with a number.
+    pub fn triangle_with_number(&self, number: u32) -> Place {
+        let cell = number as usize / 2;
+        Place { i: cell % self.across, k: cell / self.across, upper: number % 2 == 1 }
+    }
+
+    /// Number of the height field's pyramid level with a single square.
+    pub fn top_level(&self) -> usize {
+        self.pyramid.len() - 1
+    }
+
+    /// Minimum and maximum height in a square of the height field's pyramid; `None` beyond its last square.
+    pub fn heights_of_square_if_there(&self, level: usize, [a, b]: [usize; 2]) -> Option<[u16; 2]> {
+        let level = &self.pyramid[level];
+        (a < level.across && b < level.deep).then(|| level.range_of_square([a, b]))
+    }
+
     /// Returns the height field's triangle under a point, and the position within its cell, from 0 to 1; points outside
     /// belong to the nearest cell.
     pub fn triangle_and_position_at(&self, x: f64, z: f64) -> (Place, DVec2) {
@@ -231,7 +253,7 @@ impl Grid {
     }
 
     /// Returns the first cell of a pyramid level's square, and the one beyond its last.
-    fn first_and_end_cells(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
+    pub fn first_and_end_cells(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
         let size = self.pyramid[level].size;
         let from = [a * size, b * size];
         [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]
@@ -240,7 +262,7 @@ impl Grid {
     /// Visits the hits in the cells of a block of the height field. Whether the line is above or below the surface is evaluated
     /// only where it crosses edges and diagonals of cells, and both sides of an edge get the same result, so no line
     /// passes between them.
-    fn visit_hits_in_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> ControlFlow<()> {
+    pub fn visit_hits_in_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> ControlFlow<()> {
         let (enter, leave) = self.interval_over(line, from, to);
         let (mut t, end) = (enter.max(line.near), leave.min(line.far));
         let (x, z) = (line.o.x + line.d.x * t, line.o.z + line.d.z * t);

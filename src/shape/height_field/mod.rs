@@ -16,12 +16,14 @@ mod grid;
 mod heights;
 mod line;
 mod normals;
+mod packet;
 
-use super::{Bounding, Hit, Hits, Kernel, Quirks, Shape, nearest_hit};
+use super::{Bounding, Hit, Hits, Kernel, PacketHits, Quirks, Shape, nearest_hit};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, ResultType};
 use crate::image_io::{Picture, scale_and_wrap_to_u16};
+use crate::math::packet::{Numbers, RayPacket};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs, word};
@@ -83,21 +85,30 @@ impl HeightField {
         let Some(grid) = &self.grid else { return };
         let scale = grid.grid_from_object_scale();
         // Start where the ray enters the box, so that a distant eye costs no digits.
-        let Some((enter, leave)) = self.bounds().grown(1e-4).slabs(ray, Range::ALL) else { return };
+        let Some((enter, leave)) = self.search_box().slabs(ray, Range::ALL) else { return };
         if !(enter <= range.max && leave >= range.min && enter.is_finite()) {
             return;
         }
         let start = enter;
         let local = Ray::new(ray.at(start) * scale, ray.dir * scale);
         let moved = Range { min: range.min - start, max: range.max - start };
-        grid.visit_hits(&local, moved, &mut |t, Place { i, k, upper }| {
-            let (y, t) = ((local.origin.y + local.dir.y * t) / STEPS, t + start);
-            let uv = DVec2::new(i as f64, k as f64);
-            match y >= self.waterline() && range.contains(t) {
-                true => visit(Hit { t, part: upper.into(), uv }),
+        grid.visit_hits(&local, moved, &mut |t, place| {
+            let (y, t) = (local.origin.y + local.dir.y * t, t + start);
+            match self.is_visible(y, t, range) {
+                true => visit(Hit::on_piece(t, grid.number_of_triangle(place))),
                 false => ControlFlow::Continue(()),
             }
         });
+    }
+
+    /// Box in which rays search the field: a little larger than the field's own.
+    fn search_box(&self) -> Aabb {
+        self.bounds().grown(1e-4)
+    }
+
+    /// True if a hit at the height `y`, in steps, and the distance `t` counts: it is in the range, and not below the water.
+    fn is_visible(&self, y: f64, t: f64, range: Range) -> bool {
+        y / STEPS >= self.waterline() && range.contains(t)
     }
 
     /// Interpolates the normals of a height field's cell from its four corners, where they have length 1 in world
@@ -214,6 +225,12 @@ fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
 impl Kernel for HeightField {
     const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
 
+    const TRACES_PACKETS: bool = true;
+
+    fn closest_of_packet(&self, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
+        packet::closest_of_packet(self, rays, min, max)
+    }
+
     fn bounds(&self) -> Aabb {
         let Some(grid) = &self.grid else { return Aabb::EMPTY };
         let [lo, hi] = grid.height_range().map(|h| h / STEPS);
@@ -264,10 +281,10 @@ impl Kernel for HeightField {
 
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let Some(grid) = &self.grid else { return DVec3::Y };
-        let place = Place { i: hit.uv.x as usize, k: hit.uv.y as usize, upper: hit.part == 1 };
+        let place = grid.triangle_with_number(hit.part);
         let scale = grid.grid_from_object_scale();
         if self.smooth {
-            let rest = DVec2::new(p.x * scale.x - hit.uv.x, p.z * scale.z - hit.uv.y);
+            let rest = DVec2::new(p.x * scale.x - place.i as f64, p.z * scale.z - place.k as f64);
             let n = self.smooth_normal(grid, place, rest.clamp(DVec2::ZERO, DVec2::ONE));
             if n != DVec3::ZERO {
                 return n;

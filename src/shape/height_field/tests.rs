@@ -1,5 +1,5 @@
 use super::*;
-use crate::shape::testing::all_hits;
+use crate::shape::testing::{all_hits, assert_packets_match_single_rays};
 
 /// Creates a test height field with three by three heights, in steps of 1/8.
 fn field_of_nine_heights(smooth: bool, water_level: f64) -> HeightField {
@@ -29,6 +29,16 @@ fn heights_of_corners_and_triangles() {
     assert!(wet.inside(DVec3::new(0.25, 0.1, 0.25)) && wet.inside(DVec3::new(0.25, 3.1 * EIGHTH, 0.25)));
     assert!(!wet.inside(DVec3::new(0.25, 3.6 * EIGHTH, 0.25)) && !wet.inside(DVec3::new(0.25, 0.0, -0.01)));
     assert!((wet.bounds().min.y - 3.5 * EIGHTH).abs() < 2e-8);
+}
+
+#[test]
+fn packets_match_single_rays() {
+    let (width, depth) = (43, 30);
+    let heights: Vec<u16> = (0..width * depth).map(|k| (k * 7919 % 65521) as u16).collect();
+    for (water_level, smooth) in [(0.0, false), (0.4, true)] {
+        assert_packets_match_single_rays(&HeightField::new(width, heights.clone(), smooth, water_level));
+    }
+    assert_packets_match_single_rays(&field_of_nine_heights(false, 0.0));
 }
 
 #[test]
