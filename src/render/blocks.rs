@@ -93,7 +93,7 @@ impl<'b, 'm, 't, 'w> Block<'b, 'm, 't, 'w> {
     /// Returns the numbers of the pixels to the left of a pixel and above it, where there are some.
     fn neighbours(&self, number: usize) -> [Option<usize>; 2] {
         let width = self.pixels.area.width;
-        [(number % width != 0).then(|| number - 1), number.checked_sub(width)]
+        [(!number.is_multiple_of(width)).then(|| number - 1), number.checked_sub(width)]
     }
 
     /// True if two pixels differ by their present values.

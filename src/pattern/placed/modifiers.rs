@@ -114,14 +114,13 @@ fn remainder_of_period(number: f64) -> f64 {
     if x < PERIOD {
         return number;
     }
-    // (Also for NaN)
-    if !(x < FAR) {
-        return fp::remainder(number, PERIOD);
+    if x < FAR {
+        // The quotient is right or one too large. All numbers are multiples of 2⁻⁵² and below 2, so no step rounds.
+        let quotient = (x * FREQUENCY).trunc();
+        let rest = (x - quotient * PERIOD_PARTS[0]) - quotient * PERIOD_PARTS[1];
+        return (if rest < 0.0 { rest + PERIOD } else { rest }).copysign(number);
     }
-    // The quotient is right or one too large. All numbers are multiples of 2⁻⁵² and below 2, so no step rounds.
-    let quotient = (x * FREQUENCY).trunc();
-    let rest = (x - quotient * PERIOD_PARTS[0]) - quotient * PERIOD_PARTS[1];
-    (if rest < 0.0 { rest + PERIOD } else { rest }).copysign(number)
+    fp::remainder(number, PERIOD)
 }
 
 fn to_single_precision(x: f64) -> f64 {
