@@ -125,13 +125,10 @@ impl<'b, 'm, 't, 'w> Block<'b, 'm, 't, 'w> {
     fn foresee(&mut self) {
         let mut is_wanted = vec![false; self.differs.len()];
         for (number, differs) in self.differs.iter().enumerate() {
-            for other in self
-                .neighbours(number)
-                .into_iter()
-                .zip(differs)
-                .filter_map(|(other, differs)| other.filter(|_| *differs))
-            {
-                (is_wanted[number], is_wanted[other]) = (true, true);
+            for (other, differs) in self.neighbours(number).into_iter().zip(*differs) {
+                if let Some(other) = other.filter(|_| differs) {
+                    (is_wanted[number], is_wanted[other]) = (true, true);
+                }
             }
         }
         let wanted: Vec<usize> = (0..is_wanted.len()).filter(|i| is_wanted[*i] && self.may_be_resampled(*i)).collect();

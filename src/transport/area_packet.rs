@@ -65,16 +65,15 @@ impl Tracer<'_> {
         faces: Flags,
         shadows: &mut PacketShadows,
     ) -> (Flags, Vectors) {
-        let packet = shadows.packet;
+        let (packet, lanes) = (shadows.packet, faces.bits());
         let mut random = [RandomSequence::default(); PACKET];
-        for i in set_lanes(faces.bits()) {
+        for i in set_lanes(lanes) {
             shadows.soft_shadows[i] += 1;
             let key = [packet.samples.pixel[i], packet.samples.sample[i], u64::from(packet.vertex) + 1];
             random[i] = self.random.nth_sequence(key, Purpose::AreaLight, shadows.soft_shadows[i]);
         }
         let count = area.size[0] as usize * area.size[1] as usize;
         let is_small = count <= if area.adaptive.is_some() { MAX_LIGHTS } else { MAX_NOT_ADAPTIVE };
-        let lanes = faces.bits();
         let mut share = Vectors::ZERO;
         if !is_small || light.emitter.is_parallel() || (lanes.count_ones() as usize) < MIN_RAYS {
             for i in set_lanes(lanes) {

@@ -1,6 +1,6 @@
 //! Camera rays that are traced in packets. Each has the radiance that [`Tracer::camera_radiance`] returns, to the last bit: the
-//! first hits are found side by side, and so is the light of plain surfaces (see [`super::packet_light`]) and what these reflect;
-//! all else is computed ray by ray.
+//! first hits are found side by side, and so are the light of plain surfaces (see [`super::packet_light`]) and what these reflect, and
+//! the light of opaque surfaces with several layers (see [`super::packet_layers`]); all else is computed ray by ray.
 
 use super::packet_light::{LitPoints, PlainPoint};
 use super::radiance::Radiance;
@@ -12,7 +12,7 @@ use crate::atmosphere::Segment;
 use crate::color::{Rgb, gray};
 use crate::math::packet::{MIN_RAYS, Numbers, PACKET, RayPacket, Vectors, set_lanes};
 use crate::math::{Mask, Ray};
-use crate::world::{ClosestHits, Intersection, RayKind, Surface, surfaces_of_packet};
+use crate::world::{ClosestHits, Intersection, RayKind, Shading, Surface, surfaces_of_packet};
 use smallvec::SmallVec;
 
 /// Samples of the picture whose camera rays are traced side by side.
@@ -129,7 +129,8 @@ impl<'w> Tracer<'w> {
         hits: &ClosestHits<'w>,
         radiances: &mut [Radiance; PACKET],
     ) -> ReflectedRays {
-        let plain = lanes_of_hits(hits, |hit| self.may_be_lit_in_packet(hit));
+        let plain =
+            lanes_of_hits(hits, |hit| self.may_be_lit_in_packet(hit, |shading| shading == Shading::PlainInPackets));
         let surfaces = surfaces_of_packet(&packet.rays, hits, plain);
         let (mut lit, mut others) = (LitPoints::new(), 0);
         let (mut reflected, has_air) = (ReflectedRays::new(), self.has_air());
@@ -179,7 +180,8 @@ impl<'w> Tracer<'w> {
         lanes: u32,
         radiances: &mut [Radiance; PACKET],
     ) {
-        let layered = lanes & lanes_of_hits(hits, |hit| self.has_plain_layers(hit));
+        let has_layers = |shading| matches!(shading, Shading::Layers | Shading::PlainLongChain);
+        let layered = lanes & lanes_of_hits(hits, |hit| self.may_be_lit_in_packet(hit, has_layers));
         let done = match layered.count_ones() as usize >= MIN_RAYS {
             true => self.shade_layered_hits(packet, hits, layered, radiances),
             false => 0,
@@ -234,21 +236,15 @@ impl<'w> Tracer<'w> {
         self.state_of_ray(packet, i)
     }
 
-    /// True if the material at a hit is plain, so that its light can be computed in a packet.
+    /// True if the light of the surface at a hit can be computed in a packet, if its material is one for which `fits` is true.
     #[inline(always)]
-    fn may_be_lit_in_packet(&self, hit: &Intersection) -> bool {
+    fn may_be_lit_in_packet(&self, hit: &Intersection, fits: impl Fn(Shading) -> bool) -> bool {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
-        let material = &world.materials[part.outside.material as usize];
-        self.lights_packets && part.uncommon.is_none() && material.is_lit_in_packets && !part.double_illuminate
-    }
-
-    /// True if the material at a hit has plain layers, so that its light can be computed in a packet.
-    fn has_plain_layers(&self, hit: &Intersection) -> bool {
-        let world = self.context.world;
-        let part = &world.parts[hit.part_number() as usize];
-        let material = &world.materials[part.outside.material as usize];
-        self.lights_packets && part.uncommon.is_none() && material.has_plain_layers && !part.double_illuminate
+        self.lights_packets
+            && part.uncommon.is_none()
+            && !part.double_illuminate
+            && fits(world.material_outside(hit).shading)
     }
 
     /// Evaluates the plain material at the hit of a ray; `None` if it transmits light there, or its bumps are not finite.

@@ -5,7 +5,7 @@ use super::area_packet::PacketShadows;
 use super::direct_light::{LitSurface, emitted_light};
 use super::interface::Interface;
 use super::packet::{Packet, lanes_of_hits};
-use super::packet_light::{ArrivingLight, LitPoints};
+use super::packet_light::{ArrivingLight, PacketLayer};
 use super::radiance::Radiance;
 use super::shading_point::{ShadedLayer, ShadingPoint, texture_context};
 use super::single_layer::facing_normal;
@@ -14,11 +14,11 @@ use crate::color::Rgb;
 use crate::math::packet::{Flags, Numbers, PACKET, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
 use crate::math::{DVec3, Lanes, Ray};
-use crate::world::{ClosestHits, Intersection, LightSource, PacketSurfaces, Surface, surfaces_of_packet};
+use crate::world::{ClosestHits, Intersection, LightSource, PacketSurfaces, Shading, Surface, surfaces_of_packet};
 
 /// One layer at each of several points.
 pub(super) struct LitLayer<'w> {
-    layer: LitPoints<'w>,
+    layer: PacketLayer<'w>,
     /// Transmittances of the layers above.
     weight: Vectors,
     /// Lanes in which this layer is the last of its material, as bits.
@@ -42,7 +42,7 @@ struct LitLayers<'w> {
 impl<'w> LitLayer<'w> {
     #[inline(always)]
     fn new() -> Self {
-        Self { layer: LitPoints::new(), weight: Vectors::ZERO, last: 0, share: Lanes::splat(0.0) }
+        Self { layer: PacketLayer::new(), weight: Vectors::ZERO, last: 0, share: Lanes::splat(0.0) }
     }
 }
 
@@ -78,7 +78,7 @@ impl<'w> LitLayers<'w> {
         for material in &at.materials {
             for shaded in at.layers_of(material) {
                 let LitLayer { layer, weight, .. } = self.layer(number);
-                layer.set_layer(i, shaded);
+                layer.set(i, shaded);
                 weight.set_lane(i, shaded.weight);
                 number += 1;
             }
@@ -91,7 +91,7 @@ impl<'w> LitLayers<'w> {
     /// Adds the point of ray `i` on a surface with one layer, with the light that it emits.
     fn add_single_layer(&mut self, i: usize, point: DVec3, shaded: &ShadedLayer<'w>, has_ambient: bool) {
         let LitLayer { layer, weight, .. } = self.layer(0);
-        layer.set_layer(i, shaded);
+        layer.set(i, shaded);
         weight.set_lane(i, shaded.weight);
         self.end_material(i, 1, 1.0);
         self.set_point(i, point, shaded.weight * emitted_light(shaded, has_ambient));
@@ -111,7 +111,7 @@ impl<'w> LitLayers<'w> {
 }
 
 impl<'w> Tracer<'w> {
-    /// Adds the light at hits of a packet's rays, whose materials [have plain layers](crate::world::Material::has_plain_layers), to the
+    /// Adds the light at hits of a packet's rays, whose materials are [`Shading::Layers`] or [`Shading::PlainLongChain`], to the
     /// radiances of the rays' samples. Returns the rays for which it did: not those that pass through their surfaces, or meet
     /// bumps that are not finite. `lanes` are the rays, as bits.
     pub(super) fn shade_layered_hits(
@@ -123,8 +123,8 @@ impl<'w> Tracer<'w> {
     ) -> u32 {
         let mut lit = LitLayers::new(std::mem::take(&mut self.layer_buffer));
         let surfaces = surfaces_of_packet(&packet.rays, hits, lanes);
-        let takes_long_chain = |hit: &Intersection| self.context.world.material_outside(hit).takes_long_chain;
-        let chains = lanes & lanes_of_hits(hits, takes_long_chain);
+        let shading = |hit: &Intersection| self.context.world.material_outside(hit).shading;
+        let chains = lanes & lanes_of_hits(hits, |hit| shading(hit) == Shading::PlainLongChain);
         self.add_long_chains(&mut lit, packet, (hits, &surfaces), chains);
         for i in set_lanes(lanes & !chains) {
             if let Some(hit) = &hits[i] {
@@ -156,8 +156,8 @@ impl<'w> Tracer<'w> {
         lit.add_if_opaque(i, &at, self.context.has_ambient);
     }
 
-    /// Evaluates the surfaces at the hits of the rays `lanes` of a packet, whose materials [take long chains of
-    /// operations](crate::world::Material::takes_long_chain), four by four, and adds them to the list.
+    /// Evaluates the surfaces at the hits of the rays `lanes` of a packet, whose materials are [`Shading::PlainLongChain`], four by
+    /// four, and adds them to the list.
     fn add_long_chains(
         &self,
         lit: &mut LitLayers<'w>,
@@ -210,7 +210,7 @@ impl<'w> Tracer<'w> {
 wide_versions! {
     /// True for the points that have a layer which reflects light that arrives.
     fn faces_light(lit: &LitLayers, arriving: &ArrivingLight) -> Flags {
-        let mut faces = Flags::from_bits(0);
+        let mut faces = Flags::NONE;
         for LitLayer { layer, .. } in &lit.layers[..lit.n_layers] {
             faces = faces | layer.faces(arriving);
         }

@@ -17,23 +17,28 @@ use crate::world::{LightSource, Lobe, LoweredFinish};
 /// Point of a plain surface without diffuse transmission.
 pub(super) type PlainPoint<'w> = SingleLayerPoint<'w, true>;
 
-/// Points of plain surfaces, side by side, and the light that they send along the rays.
-pub(super) struct LitPoints<'w> {
-    /// Lanes with a point, as bits.
+/// One layer of a texture at each of several points, side by side: what its light depends on.
+pub(super) struct PacketLayer<'w> {
+    /// Lanes with a layer, as bits.
     existing: u32,
-    /// Lanes with a point of a surface that reflects light, as bits.
+    /// Lanes with a layer that reflects light, as bits.
     reflecting: u32,
-    point: Vectors,
     /// Normals with bumps, length 1.
     normal: Vectors,
     /// Red, green and blue of the pigments.
     color: Vectors,
     opacity: Numbers,
     diffuse: Numbers,
-    /// Finish of each point.
+    /// Finish of each layer.
     finish: [Option<&'w LoweredFinish>; PACKET],
-    /// The finish of all points; `None` if they have several.
+    /// The finish of all layers; `None` if they have several.
     only_finish: Option<&'w LoweredFinish>,
+}
+
+/// Points of plain surfaces, side by side, and the light that they send along the rays.
+pub(super) struct LitPoints<'w> {
+    point: Vectors,
+    layer: PacketLayer<'w>,
     /// Light of each point.
     light: Vectors,
 }
@@ -47,41 +52,31 @@ pub(super) struct ArrivingLight {
     pub light: Vectors,
 }
 
-impl<'w> LitPoints<'w> {
-    /// Creates an empty list.
+impl<'w> PacketLayer<'w> {
+    /// Creates an empty layer.
     #[inline(always)]
     pub fn new() -> Self {
         let zero = Vectors::ZERO;
         Self {
             existing: 0,
             reflecting: 0,
-            point: zero,
             normal: zero,
             color: zero,
             opacity: zero.x,
             diffuse: zero.x,
             finish: [None; PACKET],
             only_finish: None,
-            light: zero,
         }
     }
 
-    /// Adds the point of ray `i`, with the light that it emits.
-    #[inline(always)]
-    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, has_ambient: bool) {
-        self.point.set_lane(i, at.point);
-        self.light.set_lane(i, at.shaded.weight * emitted_light(&at.shaded, has_ambient));
-        self.set_layer(i, &at.shaded);
-    }
-
-    /// Removes all points. (Their other numbers stay, but do not count.)
+    /// Removes the layers of all points. (Their numbers stay, but do not count.)
     pub fn clear(&mut self) {
         (self.existing, self.reflecting, self.only_finish) = (0, 0, None);
     }
 
     /// Sets the layer at the point of ray `i`.
     #[inline(always)]
-    pub fn set_layer(&mut self, i: usize, shaded: &ShadedLayer<'w>) {
+    pub fn set(&mut self, i: usize, shaded: &ShadedLayer<'w>) {
         let finish: &'w LoweredFinish = &shaded.layer.finish;
         self.normal.set_lane(i, shaded.normal);
         self.color.set_lane(i, shaded.color.rgb);
@@ -116,15 +111,31 @@ impl<'w> LitPoints<'w> {
             false => reflected,
         }
     }
+}
+
+impl<'w> LitPoints<'w> {
+    /// Creates an empty list.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { point: Vectors::ZERO, layer: PacketLayer::new(), light: Vectors::ZERO }
+    }
+
+    /// Adds the point of ray `i`, with the light that it emits.
+    #[inline(always)]
+    pub fn add(&mut self, i: usize, at: &PlainPoint<'w>, has_ambient: bool) {
+        self.point.set_lane(i, at.point);
+        self.light.set_lane(i, at.shaded.weight * emitted_light(&at.shaded, has_ambient));
+        self.layer.set(i, &at.shaded);
+    }
 
     /// True if the list has no point.
     pub fn is_empty(&self) -> bool {
-        self.existing == 0
+        self.layer.existing == 0
     }
 
     /// Returns the rays with points, and the light of each.
     pub fn light(&self) -> impl Iterator<Item = (usize, Rgb)> {
-        set_lanes(self.existing).map(|i| (i, self.light.lane(i)))
+        set_lanes(self.layer.existing).map(|i| (i, self.light.lane(i)))
     }
 }
 
@@ -140,7 +151,7 @@ impl Tracer<'_> {
 
     /// Adds the light of a source that the points reflect along the rays.
     fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints, shadows: &mut PacketShadows) {
-        let arriving = ArrivingLight::from_center(light, lit.existing, &lit.point);
+        let arriving = ArrivingLight::from_center(light, lit.layer.existing, &lit.point);
         let faces = faces_light(lit, &arriving);
         if !faces.any() {
             return;
@@ -216,7 +227,7 @@ wide_versions! {
 wide_versions! {
     /// True for the points that reflect light which arrives.
     fn faces_light(lit: &LitPoints, arriving: &ArrivingLight) -> Flags {
-        lit.faces(arriving) & arriving.is_light()
+        lit.layer.faces(arriving) & arriving.is_light()
     }
 }
 
@@ -230,7 +241,7 @@ wide_versions! {
         which: (Flags, bool),
     ) {
         let light = arriving.light.times(*share);
-        let reflected = lit.reflected_share(dir, arriving, which);
+        let reflected = lit.layer.reflected_share(dir, arriving, which);
         // (Light that is black is not reflected.)
         let is_lit = which.0 & !light.is_zero();
         lit.light = lit.light + Vectors::select(is_lit, reflected.times(light), Vectors::ZERO);
@@ -239,15 +250,15 @@ wide_versions! {
 
 /// Returns the powers of numbers, one for each of the points `visible`, with exponents of their finishes.
 #[inline(always)]
-fn powers(lit: &LitPoints, visible: Flags, numbers: Numbers, exponent: fn(&LoweredFinish) -> f64) -> Numbers {
-    if let Some(only) = lit.only_finish
+fn powers(layer: &PacketLayer, visible: Flags, numbers: Numbers, exponent: fn(&LoweredFinish) -> f64) -> Numbers {
+    if let Some(only) = layer.only_finish
         && let Some(whole) = fp::small_whole_exponent(exponent(only))
     {
         return fp::integer_power_of_lanes(numbers, whole);
     }
     let mut powers = Lanes::splat(0.0);
     for i in set_lanes(visible.bits()) {
-        powers.0[i] = lit.finish[i].map_or(0.0, |finish| fp::power(numbers.0[i], exponent(finish)));
+        powers.0[i] = layer.finish[i].map_or(0.0, |finish| fp::power(numbers.0[i], exponent(finish)));
     }
     powers
 }
@@ -255,10 +266,10 @@ fn powers(lit: &LitPoints, visible: Flags, numbers: Numbers, exponent: fn(&Lower
 /// Returns the shares of incident light that the points `visible` reflect as highlights, as
 /// [`super::direct_light::highlight_factor`] does.
 #[inline(always)]
-fn highlights(lit: &LitPoints, dir: &Vectors, arriving: &ArrivingLight, cos: Numbers, visible: Flags) -> Vectors {
+fn highlights(layer: &PacketLayer, dir: &Vectors, arriving: &ArrivingLight, cos: Numbers, visible: Flags) -> Vectors {
     let (mut phong, mut specular, mut metallic) = (0, 0, 0);
     for i in set_lanes(visible.bits()) {
-        let Some(finish) = lit.finish[i] else { continue };
+        let Some(finish) = layer.finish[i] else { continue };
         phong |= u32::from(finish.phong.strength != 0.0) << i;
         specular |= u32::from(finish.specular.strength != 0.0) << i;
         metallic |= u32::from(finish.metallic != 0.0) << i;
@@ -266,38 +277,38 @@ fn highlights(lit: &LitPoints, dir: &Vectors, arriving: &ArrivingLight, cos: Num
     let zero = Lanes::splat(0.0);
     let mut amount = zero;
     if phong != 0 {
-        let twice = 2.0 * dir.dot(lit.normal);
-        let mirror_cos = (*dir - lit.normal * twice).dot(arriving.to_light);
-        amount = amount + lobes(lit, mirror_cos, phong, |finish| &finish.phong);
+        let twice = 2.0 * dir.dot(layer.normal);
+        let mirror_cos = (*dir - layer.normal * twice).dot(arriving.to_light);
+        amount = amount + lobes(layer, mirror_cos, phong, |finish| &finish.phong);
     }
     if specular != 0 {
-        let half_cos = lit.normal.dot((arriving.to_light - *dir).normalize_or(Vectors::ZERO));
-        amount = amount + lobes(lit, half_cos, specular, |finish| &finish.specular);
+        let half_cos = layer.normal.dot((arriving.to_light - *dir).normalize_or(Vectors::ZERO));
+        amount = amount + lobes(layer, half_cos, specular, |finish| &finish.specular);
     }
     let mut tint = Vectors::splat(Rgb::ONE);
     for i in set_lanes(metallic & !amount.equals(zero).bits()) {
-        let tint_of = |finish: &LoweredFinish| metal_tint(finish.metallic, cos.0[i], lit.color.lane(i));
-        tint.set_lane(i, lit.finish[i].map_or(Rgb::ONE, tint_of));
+        let tint_of = |finish: &LoweredFinish| metal_tint(finish.metallic, cos.0[i], layer.color.lane(i));
+        tint.set_lane(i, layer.finish[i].map_or(Rgb::ONE, tint_of));
     }
     Vectors::select(amount.equals(zero), Vectors::ZERO, tint * amount)
 }
 
 /// Returns the strengths of the highlights of the points `counting`, and 0 for the others.
 #[inline(always)]
-fn lobes(lit: &LitPoints, cos: Numbers, counting: u32, lobe: fn(&LoweredFinish) -> &Lobe) -> Numbers {
+fn lobes(layer: &PacketLayer, cos: Numbers, counting: u32, lobe: fn(&LoweredFinish) -> &Lobe) -> Numbers {
     let zero = Lanes::splat(0.0);
     let counts = Mask::from_bits(counting) & zero.less_than(cos);
     if !counts.any() {
         return zero;
     }
-    if let Some(only) = lit.only_finish.map(lobe)
+    if let Some(only) = layer.only_finish.map(lobe)
         && let Some(whole) = fp::small_whole_exponent(only.exponent)
     {
         return counts.select(only.strength * fp::integer_power_of_lanes(cos, whole), zero);
     }
     let mut strengths = zero;
     for i in set_lanes(counts.bits()) {
-        strengths.0[i] = lit.finish[i].map_or(0.0, |finish| lobe_strength(lobe(finish), cos.0[i]));
+        strengths.0[i] = layer.finish[i].map_or(0.0, |finish| lobe_strength(lobe(finish), cos.0[i]));
     }
     strengths
 }

@@ -126,7 +126,7 @@ impl<'w> Tracer<'w> {
         }
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none()
-            && material.is_plain
+            && material.shading.is_plain()
             && self.shows_surfaces_fully
             && let surface = hit.surface(&state.ray)
             && let Some(at) = SingleLayerPoint::on_plain_surface(self.context.world, part, &state.ray, (hit, &surface))

@@ -2,7 +2,7 @@
 //! such as the squares of a checkerboard. Shading them needs no lists of materials and layers, and gives the same bits as
 //! [`super::shading_point::ShadingPoint`].
 //!
-//! Plain surfaces are the opaque ones without any special effect, see [`crate::world::Material::is_plain`].
+//! Plain surfaces are the opaque ones without any special effect, see [`crate::world::Shading`].
 
 use super::direct_light::{LitSurface, emitted_light};
 use super::interface::Interface;

@@ -75,7 +75,7 @@ pub struct Tracer<'w> {
     /// True if a [`super::single_layer::SingleLayerPoint`] may shade surfaces: at a quality level that shows lights, pigments
     /// and reflection.
     pub(super) shows_surfaces_fully: bool,
-    /// True if the light of plain surfaces at the hits of camera rays is computed in packets: without radiosity and photons, and if
+    /// True if the light of opaque surfaces at the hits of camera rays is computed in packets: without radiosity and photons, and if
     /// [`can_light_packets`].
     pub(super) lights_packets: bool,
     /// True if the rays are photons, whose reflection is always linear.
@@ -90,7 +90,7 @@ pub struct Tracer<'w> {
     pub(super) photon_buffers: [Found; 2],
 }
 
-/// True if the light of plain surfaces can be computed in packets: there are no media and no rainbows, and each light needs to pass
+/// True if the light of opaque surfaces can be computed in packets: there are no media and no rainbows, and each light needs to pass
 /// no object, is not attenuated by fog, and illuminates from its centre.
 fn can_light_packets(world: &World) -> bool {
     let is_simple = |light: &LightSource| {

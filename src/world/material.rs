@@ -22,22 +22,9 @@ pub struct Material {
     /// True if the material transmits all light unchanged and sends none itself, such as the surface of a container of
     /// media.
     pub is_clear: bool,
-    /// True for one opaque layer that reflects in proportion to the incoming light, without grain, thin film, subsurface light
-    /// and `conserve_energy`.
+    /// The simplest way in which the light of the material can be computed.
     #[serde(skip)]
-    pub is_plain: bool,
-    /// True if the material is plain, without `diffuse` for light from behind, and does not [take a long
-    /// chain of operations](Self::takes_long_chain).
-    #[serde(skip)]
-    pub is_lit_in_packets: bool,
-    /// True if the material is opaque, and each of its layers, also of the materials that patterns select, is plain except that it
-    /// may transmit light to the layers below, and has no mirror and no `diffuse` for light from behind.
-    #[serde(skip)]
-    pub has_plain_layers: bool,
-    /// True if the material is plain, without mirror, bumps and `diffuse` for light from behind, and its pigment [takes a long chain of
-    /// operations](PigmentProgram::takes_long_chain).
-    #[serde(skip)]
-    pub takes_long_chain: bool,
+    pub shading: Shading,
     /// True for one layer, opaque or not, that reflects in proportion to the incoming light, without subsurface light.
     #[serde(skip)]
     pub is_single_layer: bool,
@@ -50,6 +37,48 @@ pub struct Material {
     /// True if two entries of this material in a blend cannot be merged into one: each reflects and transmits by
     /// itself, or the second uses the normal that the first changed.
     repeats: bool,
+}
+
+/// Way in which the light of a material can be computed, from the most general to the simplest one.
+///
+/// Plain materials have one opaque layer that reflects in proportion to the incoming light, without grain, thin film, subsurface light
+/// and `conserve_energy`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Shading {
+    /// Any material.
+    General,
+    /// Opaque material in which each layer, also of the materials that patterns select, is plain except that it may transmit light to
+    /// the layers below, and has no mirror and no `diffuse` for light from behind: it is lit in packets.
+    Layers,
+    /// Plain material with `diffuse` for light from behind.
+    Plain,
+    /// Plain material that [`Shading::Layers`] describes, too, without bumps, and whose pigment [takes a long chain of
+    /// operations](PigmentProgram::takes_long_chain).
+    PlainLongChain,
+    /// Other plain material: it is lit in packets.
+    PlainInPackets,
+}
+
+impl Shading {
+    /// True for plain materials.
+    #[inline(always)]
+    pub fn is_plain(self) -> bool {
+        self >= Self::Plain
+    }
+
+    fn new(texture: &Texture, layers: &[Layer]) -> Self {
+        let is_opaque = texture.layers.iter().any(is_opaque);
+        let has_plain_layers = is_opaque && layers.iter().all(Layer::has_plain_layers);
+        match layers {
+            [layer] if is_opaque && layer.is_plain_if_opaque() => match layer.finish.diffuse_back == 0.0 {
+                true if has_plain_layers && layer.takes_long_chain() => Self::PlainLongChain,
+                true => Self::PlainInPackets,
+                false => Self::Plain,
+            },
+            _ if has_plain_layers => Self::Layers,
+            _ => Self::General,
+        }
+    }
 }
 
 /// A pattern and the materials that it blends.
@@ -197,11 +226,6 @@ impl Material {
     /// Lowers a texture; shared finishes and normals are lowered once.
     pub fn new(texture: &Texture, shared: &mut dyn SharedParts) -> Self {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
-        let is_plain = match (&layers[..], &texture.layers[..]) {
-            ([lowered], [written]) => lowered.is_plain_if_opaque() && is_opaque(written),
-            _ => false,
-        };
-        let takes_long_chain = is_plain && layers[0].has_plain_layers() && layers[0].takes_long_chain();
         Self {
             // One opaque layer is enough.
             opaque: texture.layers.iter().any(is_opaque_for_shadows),
@@ -210,10 +234,7 @@ impl Material {
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             is_clear: layers.iter().all(Layer::is_clear),
-            is_plain,
-            is_lit_in_packets: is_plain && layers[0].finish.diffuse_back == 0.0 && !takes_long_chain,
-            takes_long_chain,
-            has_plain_layers: texture.layers.iter().any(is_opaque) && layers.iter().all(Layer::has_plain_layers),
+            shading: Shading::new(texture, &layers),
             is_single_layer: matches!(&layers[..], [layer] if layer.is_single_layer()),
             selects_single_layers: chosen_by(&layers).is_some_and(Choice::selects_single_layers),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
@@ -290,17 +311,17 @@ impl Layer {
             && finish.refraction == 1.0
     }
 
-    /// True if a material of this layer alone is plain (see [`Material::is_plain`]) if it is also opaque.
+    /// True if a material of this layer alone is plain (see [`Shading`]) if it is also opaque.
     fn is_plain_if_opaque(&self) -> bool {
         let finish = &self.finish;
         self.is_single_layer() && finish.crand == 0.0 && finish.irid.is_none() && !finish.conserve_energy
     }
 
     /// True if the layers of all materials that the layer's pattern selects, or else the layer itself, are plain without mirrors; see
-    /// [`Material::has_plain_layers`].
+    /// [`Shading::Layers`].
     fn has_plain_layers(&self) -> bool {
         match &self.choice {
-            Some(choice) => choice.parts.iter().all(|part| part.has_plain_layers),
+            Some(choice) => choice.parts.iter().all(|part| part.layers.iter().all(Self::has_plain_layers)),
             None => self.is_plain_if_opaque() && self.finish.mirror.is_none() && self.finish.diffuse_back == 0.0,
         }
     }

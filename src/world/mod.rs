@@ -23,7 +23,7 @@ pub use geometry::{
 };
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_and_free};
-pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
+pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material, Shading};
 pub use medium::Medium;
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;

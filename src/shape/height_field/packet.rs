@@ -41,15 +41,13 @@ struct Search<'a> {
 /// Returns the first hits of the rays of a packet on a field, as [`Kernel::closest_of_packet`] does.
 pub(super) fn closest_of_packet(field: &HeightField, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
     let Some(grid) = &field.grid else { return PacketHits::NONE };
-    let (over_field, lines) = lines_over_field(field, grid, rays, (min, max));
-    let mut left = over_field.bits();
+    let ([meets_box, over_field], lines) = lines_over_field(field, grid, rays, (min, max));
     let mut search = Search { field, grid, lines, range: (min, *max), done: 0, hits: PacketHits::NONE };
     // Rays that are parallel to an axis, or too few for a packet, are traced one by one.
     let zero = Lanes::splat(0.0);
-    let is_parallel = (rays.dir.x.equals(zero) | rays.dir.y.equals(zero) | rays.dir.z.equals(zero)).bits();
+    let is_parallel = rays.dir.x.equals(zero) | rays.dir.y.equals(zero) | rays.dir.z.equals(zero);
+    let (mut single, mut left) = ((meets_box & is_parallel).bits(), (over_field & !is_parallel).bits());
     let signs = [rays.dir.x, rays.dir.z].map(|d| d.less_than(zero).bits());
-    let mut single = is_parallel;
-    left &= !is_parallel;
     while left != 0 {
         // All rays that leave the squares of the pyramid in the same order
         let first = left.trailing_zeros();
@@ -127,19 +125,19 @@ impl Search<'_> {
 }
 
 wide_versions! {
-    /// Returns the rays of a packet as lines, and for which of them a piece within the range is over the field. The rays must not be
-    /// parallel to an axis.
+    /// Returns the rays of a packet as lines; for which rays a piece in the range is in the field's box, and for which, unless they are
+    /// parallel to an axis, a piece is over the field and between its lowest and highest point.
     fn lines_over_field(
         field: &HeightField,
         grid: &Grid,
         rays: &RayPacket,
         range: (f64, &Numbers),
-    ) -> (Flags, PacketLines) {
+    ) -> ([Flags; 2], PacketLines) {
         // The operations of `HeightField::visit_hits` and `Grid::line_over_field`, in the same order
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY].map(Lanes::splat);
-        let (meets_box, start, leave) = rays.slabs(&field.search_box(), everywhere[0], everywhere[1]);
+        let (crosses_box, start, leave) = rays.slabs(&field.search_box(), everywhere[0], everywhere[1]);
         let (min, max) = range;
-        let may_hit = meets_box & start.at_most(*max) & Lanes::splat(min).at_most(leave) & start.is_finite();
+        let meets_box = crosses_box & start.at_most(*max) & Lanes::splat(min).at_most(leave) & start.is_finite();
         let scale = Vectors::splat(grid.grid_from_object_scale());
         let (o, d) = (rays.at(start).times(scale), rays.dir.times(scale));
         let range = [Lanes::splat(min) - start, *max - start];
@@ -151,8 +149,8 @@ wide_versions! {
         let far = below.max(above).min(x[1].min(z[1]));
         let ends = [near.max(range[0]), far.min(range[1])];
         let is_finite = near.less_than(far) & near.is_finite() & far.is_finite();
-        let is_over = may_hit & is_finite & ends[0].at_most(ends[1]);
-        (is_over, PacketLines { o, d, inverse, box_ends: [near, far], range, ends, start })
+        let over_field = meets_box & is_finite & ends[0].at_most(ends[1]);
+        ([meets_box, over_field], PacketLines { o, d, inverse, box_ends: [near, far], range, ends, start })
     }
 }
 
