@@ -1,11 +1,10 @@
 //! Light of opaque surfaces with several layers, or with patterns that blend materials, at the hits of a packet's rays. The surfaces
 //! are evaluated one by one; the light that sources send to them is computed side by side, layer by layer.
 
-use super::area_packet::PacketShadows;
 use super::direct_light::{LitSurface, emitted_light};
 use super::interface::Interface;
 use super::packet::{Packet, lanes_of_hits};
-use super::packet_light::{ArrivingLight, PacketLayer};
+use super::packet_light::{ArrivingLight, LitInPacket, PacketLayer};
 use super::radiance::Radiance;
 use super::shading_point::{ShadedLayer, ShadingPoint, texture_context};
 use super::single_layer::facing_normal;
@@ -14,7 +13,7 @@ use crate::color::Rgb;
 use crate::math::packet::{Flags, Numbers, PACKET, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
 use crate::math::{DVec3, Lanes, Ray};
-use crate::world::{ClosestHits, Intersection, LightSource, PacketSurfaces, Shading, Surface, surfaces_of_packet};
+use crate::world::{ClosestHits, Intersection, PacketSurfaces, Shading, Surface, surfaces_of_packet};
 
 /// One layer at each of several points.
 pub(super) struct LitLayer<'w> {
@@ -137,10 +136,7 @@ impl<'w> Tracer<'w> {
                 self.cross_air(packet, i, hit, &mut radiances[i]);
             }
         }
-        let mut shadows = PacketShadows::new(packet);
-        for &number in &self.context.world.lit_by[0] {
-            self.add_light_reflected_by_layers(&self.context.world.lights[number as usize], &mut lit, &mut shadows);
-        }
+        self.add_light_of_sources_to_points(&mut lit, packet);
         for i in set_lanes(shaded) {
             radiances[i].rgb += packet.throughput.lane(i) * lit.light.lane(i);
         }
@@ -192,18 +188,19 @@ impl<'w> Tracer<'w> {
             }
         }
     }
+}
 
-    /// Adds the light of a source that the points reflect along the rays.
-    fn add_light_reflected_by_layers(&mut self, light: &LightSource, lit: &mut LitLayers, shadows: &mut PacketShadows) {
-        let arriving = ArrivingLight::from_center(light, lit.existing, &lit.point);
-        let faces = faces_light(lit, &arriving);
-        if !faces.any() {
-            return;
-        }
-        let (visible, share) = self.visibility_of_packet(light, &lit.point, &arriving, faces, shadows);
-        if visible.any() {
-            add_reflected(lit, &shadows.packet.rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
-        }
+impl LitInPacket for LitLayers<'_> {
+    fn points(&self) -> (u32, &Vectors) {
+        (self.existing, &self.point)
+    }
+
+    fn faces_light(&self, arriving: &ArrivingLight) -> Flags {
+        faces_light(self, arriving)
+    }
+
+    fn add_reflected(&mut self, dir: &Vectors, arriving: &ArrivingLight, share: &Vectors, which: (Flags, bool)) {
+        add_reflected(self, dir, arriving, share, which);
     }
 }
 

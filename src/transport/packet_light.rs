@@ -139,9 +139,36 @@ impl<'w> LitPoints<'w> {
     }
 }
 
+/// Points of surfaces at the hits of a packet's rays, side by side, with the light that they send along the rays.
+pub(super) trait LitInPacket {
+    /// Returns the lanes with a point, as bits, and the points.
+    fn points(&self) -> (u32, &Vectors);
+
+    /// True for the points that reflect light which arrives.
+    fn faces_light(&self, arriving: &ArrivingLight) -> Flags;
+
+    /// Adds the light that the points `which.0` reflect, with highlights if `which.1` is true; `share` is the share of the light that
+    /// is visible from them.
+    fn add_reflected(&mut self, dir: &Vectors, arriving: &ArrivingLight, share: &Vectors, which: (Flags, bool));
+}
+
+impl LitInPacket for LitPoints<'_> {
+    fn points(&self) -> (u32, &Vectors) {
+        (self.layer.existing, &self.point)
+    }
+
+    fn faces_light(&self, arriving: &ArrivingLight) -> Flags {
+        faces_light(self, arriving)
+    }
+
+    fn add_reflected(&mut self, dir: &Vectors, arriving: &ArrivingLight, share: &Vectors, which: (Flags, bool)) {
+        add_reflected(self, dir, arriving, share, which);
+    }
+}
+
 impl Tracer<'_> {
-    /// Adds the light of sources that the points reflect along the rays of a packet.
-    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut LitPoints, packet: &Packet) {
+    /// Adds the light of sources that the points at the hits of a packet's rays reflect along the rays.
+    pub(super) fn add_light_of_sources_to_points(&mut self, lit: &mut impl LitInPacket, packet: &Packet) {
         let (world, mut shadows) = (self.context.world, PacketShadows::new(packet));
         // (Parts without uncommon properties belong to the first set.)
         for &number in &world.lit_by[0] {
@@ -150,22 +177,23 @@ impl Tracer<'_> {
     }
 
     /// Adds the light of a source that the points reflect along the rays.
-    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut LitPoints, shadows: &mut PacketShadows) {
-        let arriving = ArrivingLight::from_center(light, lit.layer.existing, &lit.point);
-        let faces = faces_light(lit, &arriving);
+    fn add_reflected_light(&mut self, light: &LightSource, lit: &mut impl LitInPacket, shadows: &mut PacketShadows) {
+        let (existing, points) = lit.points();
+        let arriving = ArrivingLight::from_center(light, existing, points);
+        let faces = lit.faces_light(&arriving);
         if !faces.any() {
             return;
         }
-        let (visible, share) = self.visibility_of_packet(light, &lit.point, &arriving, faces, shadows);
+        let (visible, share) = self.visibility_of_packet(light, points, &arriving, faces, shadows);
         if visible.any() {
-            add_reflected(lit, &shadows.packet.rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
+            lit.add_reflected(&shadows.packet.rays.dir, &arriving, &share, (visible, !light.emitter.shadowless));
         }
     }
 
     /// Returns for which of the points `faces` the light is visible at all, and the share that is visible, per channel. The points
     /// are those of the rays of `shadows`.
     #[inline]
-    pub(super) fn visibility_of_packet(
+    fn visibility_of_packet(
         &mut self,
         light: &LightSource,
         points: &Vectors,

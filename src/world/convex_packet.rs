@@ -51,14 +51,8 @@ struct PacketInterval {
 wide_versions! {
     /// Returns where the rays of a packet are inside a shape.
     fn interval_inside_shape(leaf: &Leaf, rays: &RayPacket) -> PacketInterval {
-        let local;
-        let local_rays = match &leaf.place {
-            Some(m) => {
-                local = rays.inverse_transformed(m);
-                &local
-            }
-            None => rays,
-        };
+        let mut buffer = None;
+        let local_rays = leaf.local_rays(rays, &mut buffer);
         let crossings = leaf.shape.crossings_of_packet(local_rays);
         let is_inverse = if leaf.inverse { !crossings.is_around } else { crossings.is_around };
         let dir = local_rays.dir;

@@ -166,18 +166,21 @@ impl Leaf {
     }
 }
 
+impl Leaf {
+    /// Returns the rays of a packet in the shape's space; `buffer` holds them if they are not the same.
+    #[inline(always)]
+    pub(super) fn local_rays<'r>(&self, rays: &'r RayPacket, buffer: &'r mut Option<RayPacket>) -> &'r RayPacket {
+        match &self.place {
+            Some(m) => buffer.insert(rays.inverse_transformed(m)),
+            None => rays,
+        }
+    }
+}
+
 wide_versions! {
     /// Returns the closest hits of the rays of a packet on a shape that traces packets, see [`Kernel::closest_of_packet`].
     pub(super) fn closest_of_packet(leaf: &Leaf, rays: &RayPacket, min: f64, max: &Numbers) -> PacketHits {
-        let local;
-        let local_rays = match &leaf.place {
-            Some(m) => {
-                local = rays.inverse_transformed(m);
-                &local
-            }
-            None => rays,
-        };
-        leaf.shape.closest_of_packet(local_rays, min, max)
+        leaf.shape.closest_of_packet(leaf.local_rays(rays, &mut None), min, max)
     }
 }
 
