@@ -125,6 +125,7 @@ impl Area {
     /// Returns the offsets of [`Self::light_offset`] for several points, each with its own sides and random numbers.
     #[inline(always)]
     pub fn light_offsets(&self, cell: [u32; 2], sides: &[Vectors; 2], random: Option<[Numbers; 2]>) -> Vectors {
+        // The operations of `light_offset`, in the same order
         let place = |i: usize| {
             let steps = f64::from(self.size[i].max(2) - 1);
             let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell[i]) };

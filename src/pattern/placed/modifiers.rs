@@ -115,7 +115,7 @@ fn remainder_of_period(number: f64) -> f64 {
         return number;
     }
     if x < FAR {
-        // The quotient is right or one too large. All numbers are multiples of 2⁻⁵² and below 2, so no step rounds.
+        // The quotient is right or one too large. Both differences are multiples of 2⁻⁵² and below 2, so that neither is rounded.
         let quotient = (x * FREQUENCY).trunc();
         let rest = (x - quotient * PERIOD_PARTS[0]) - quotient * PERIOD_PARTS[1];
         return (if rest < 0.0 { rest + PERIOD } else { rest }).copysign(number);

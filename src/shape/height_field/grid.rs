@@ -111,7 +111,7 @@ impl Grid {
         ]
     }
 
-    /// Number of a triangle of the height field.
+    /// Number of a triangle of the height field, which has fewer than 2³¹ cells.
     pub fn number_of_triangle(&self, Place { i, k, upper }: Place) -> u32 {
         2 * (k * self.across + i) as u32 + u32::from(upper)
     }
