@@ -100,14 +100,20 @@ impl Area {
         if self.orient { self.grid_sides_facing(direction_to_point) } else { self.axes }
     }
 
+    /// Returns the number of steps from the first to the last light along side `i` of the grid, and the place of light `cell` in
+    /// steps: the only light of a row is in its middle.
+    #[inline(always)]
+    fn steps_and_place(&self, i: usize, cell: u32) -> (f64, f64) {
+        let steps = f64::from(self.size[i].max(2) - 1);
+        (steps, if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell) })
+    }
+
     /// Returns the vector from the area light's location to the light `cell` of its grid. `sides` are the sides of the grid, see
     /// [`Self::sides`]; `random` are two numbers in [0, 1) for jitter.
     #[inline]
     pub fn light_offset(&self, cell: [u32; 2], sides: &[DVec3; 2], random: Option<[f64; 2]>) -> DVec3 {
         let place = |i: usize| {
-            let steps = f64::from(self.size[i].max(2) - 1);
-            // The only light of a row is in its middle.
-            let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell[i]) };
+            let (steps, middle) = self.steps_and_place(i, cell[i]);
             2.0 * (middle + random.map_or(0.0, |random| random[i] - 0.5)) / steps - 1.0
         };
         // Map to [-1, 1]
@@ -127,12 +133,8 @@ impl Area {
     pub fn light_offsets(&self, cell: [u32; 2], sides: &[Vectors; 2], random: Option<[Numbers; 2]>) -> Vectors {
         // The operations of `light_offset`, in the same order
         let place = |i: usize| {
-            let steps = f64::from(self.size[i].max(2) - 1);
-            let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell[i]) };
-            let moved = match &random {
-                Some(random) => (random[i] - 0.5) + middle,
-                None => Lanes::splat(middle + 0.0),
-            };
+            let (steps, middle) = self.steps_and_place(i, cell[i]);
+            let moved = random.as_ref().map_or(Lanes::splat(middle), |random| (random[i] - 0.5) + middle);
             2.0 * moved / Lanes::splat(steps) - 1.0
         };
         let (mut u, mut v) = (place(0), place(1));
@@ -150,8 +152,7 @@ impl Area {
     /// to `high`, with any jitter. `direction_to_point` is the direction to the illuminated point, length 1.
     pub fn offset_parallelogram(&self, low: [u32; 2], high: [u32; 2], direction_to_point: DVec3) -> [DVec3; 4] {
         let place = |i: usize, cell: u32, outwards: f64| {
-            let steps = f64::from(self.size[i].max(2) - 1);
-            let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell) };
+            let (steps, middle) = self.steps_and_place(i, cell);
             let jitter = if self.jitter { 1.0 / steps } else { 0.0 };
             2.0 * middle / steps - 1.0 + outwards * (jitter + OUTWARDS)
         };

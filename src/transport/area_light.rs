@@ -157,7 +157,7 @@ impl Tracer<'_> {
         let ends = [all.low, all.high].map(|end| (end, is_traced.then(|| self.trace_cell_visibility(&grid, end))));
         if has_shafts {
             let is_lit = ends.iter().all(|(_, visibility)| visibility.is_none_or(|visibility| visibility == Rgb::ONE));
-            if is_lit && self.is_piece_unoccluded((light, area), point, center.to_light, all) {
+            if is_lit && self.is_own_piece_unoccluded(&grid, all) {
                 return Rgb::ONE;
             }
             // (An adaptive grid has too few rays for tests of its parts.)
@@ -220,6 +220,11 @@ impl Tracer<'_> {
             .is_some_and(|shaft| world.geometry.is_shaft_clear(&shaft, world.epsilon.shadow, casts_shadow, last))
     }
 
+    /// Returns [`Self::is_piece_unoccluded`] for a piece of a grid, from the point at which it is evaluated.
+    fn is_own_piece_unoccluded(&mut self, grid: &GridVisibility, piece: LightGridPiece) -> bool {
+        self.is_piece_unoccluded((grid.light, grid.area), grid.point, grid.center.to_light, piece)
+    }
+
     /// Divides a piece that failed the shaft test, and stores full visibility for the lights of each part that passes
     /// it. Parts of few lights are not tested.
     fn store_unoccluded_parts(&mut self, grid: &mut GridVisibility, piece: LightGridPiece) {
@@ -228,7 +233,7 @@ impl Tracer<'_> {
         }
         for part in piece.parts().into_iter().flatten().filter(|part| part.count() >= MIN_PART) {
             let is_lit = [part.low, part.high].iter().all(|end| self.cell_visibility(grid, *end) == Rgb::ONE);
-            match is_lit && self.is_piece_unoccluded((grid.light, grid.area), grid.point, grid.center.to_light, part) {
+            match is_lit && self.is_own_piece_unoccluded(grid, part) {
                 true => grid.store_if_array(part, Rgb::ONE),
                 false => self.store_unoccluded_parts(grid, part),
             }
@@ -246,7 +251,7 @@ impl Tracer<'_> {
         if grid.has_shafts
             && corners == [Rgb::ONE; 4]
             && piece.count() >= MIN_PART
-            && self.is_piece_unoccluded((grid.light, grid.area), grid.point, grid.center.to_light, piece)
+            && self.is_own_piece_unoccluded(grid, piece)
         {
             return Rgb::ONE;
         }

@@ -5,10 +5,9 @@
 //! `visibility` and `area_light` (light from light sources), `subsurface` with `dipole` (light through translucent solids),
 //! `photons` (light by way of targets), `radiosity` (diffuse light from other surfaces), `scatter` with `reflect`, `interface`
 //! and `dispersion` (the rays that continue from the surface). Camera rays take these steps in packets of eight as far as their
-//! surfaces are opaque (`packet`, `packet_light`, `packet_layers`, `area_packet`), with the same results.
+//! surfaces are opaque (`packet`), with the same results.
 
 mod area_light;
-mod area_packet;
 mod context;
 mod dipole;
 mod direct_light;
@@ -17,8 +16,6 @@ mod interface;
 mod media;
 mod media_intervals;
 mod packet;
-mod packet_layers;
-mod packet_light;
 mod photons;
 mod radiance;
 mod radiosity;

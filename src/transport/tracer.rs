@@ -1,8 +1,7 @@
 //! The state of one thread while it traces rays.
 
-use super::area_packet::KnownLights;
 use super::context::FrameContext;
-use super::packet_layers::LitLayer;
+use super::packet::{KnownLights, LitLayer};
 use super::photons::Found;
 use super::radiosity::{RadiosityCache, RadiosityState, Sample};
 use super::random::Random;

@@ -45,7 +45,7 @@ pub struct Material {
 /// and `conserve_energy`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shading {
-    /// Any material.
+    /// Any other material.
     General,
     /// Opaque material in which each layer, also of the materials that patterns select, is plain except that it may transmit light to
     /// the layers below, and has no mirror and no `diffuse` for light from behind: it is lit in packets.
@@ -53,7 +53,7 @@ pub enum Shading {
     /// Plain material with `diffuse` for light from behind.
     Plain,
     /// Plain material that [`Shading::Layers`] describes, too, without bumps, and whose pigment [takes a long chain of
-    /// operations](PigmentProgram::takes_long_chain).
+    /// operations](PigmentProgram::takes_long_chain): it is lit in packets after its pigment is computed at four points at once.
     PlainLongChain,
     /// Other plain material: it is lit in packets.
     PlainInPackets,

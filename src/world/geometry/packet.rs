@@ -81,7 +81,8 @@ wide_versions! {
         accepts_object: F,
         hits: &mut ClosestHits<'a>,
     ) -> [u32; 2] {
-        let mut max = Lanes::splat(range.max);
+        // Rays that do not count have empty ranges, so that shapes need not search for their hits.
+        let mut max = counts.select(Lanes::splat(range.max), Lanes::splat(0.0));
         for item in geometry.items[geometry.finite..].iter().filter(|item| accepts_object(item.object())) {
             item.find_closest_of_packet(packet, counts.bits(), (range.min, &mut max), false, hits);
         }
@@ -105,7 +106,7 @@ wide_versions! {
         role_of_object: F,
         last_occluder: &mut Option<Blocker>,
     ) -> (PacketOcclusion, [u32; 2]) {
-        let (min, mut max) = (range.0, *range.1);
+        let (min, mut max) = (range.0, counts.select(*range.1, Lanes::splat(0.0)));
         let mut search = OcclusionSearch { geometry, packet, min, counting: counts.bits(), occluded: 0, filtered: 0, last_occluder };
         let hint = search.last_occluder.map(|Blocker(i)| i);
         let boundless = geometry.finite..geometry.items.len();

@@ -1,10 +1,10 @@
-//! Soft shadows at several points side by side: the visibilities of [`super::area_light`], with the same results.
+//! Soft shadows at several points side by side: the visibilities of [`super::super::area_light`], with the same results.
 
-use super::area_light::{LightGridPiece, MAX_DIFFERENCE, number_of_jitter};
-use super::packet::Packet;
-use super::packet_light::ArrivingLight;
-use super::random::{Purpose, RandomSequence};
-use super::tracer::Tracer;
+use super::super::area_light::{LightGridPiece, MAX_DIFFERENCE, number_of_jitter};
+use super::super::random::{Purpose, RandomSequence};
+use super::super::tracer::Tracer;
+use super::Packet;
+use super::light::ArrivingLight;
 use crate::color::Rgb;
 use crate::light::Area;
 use crate::math::Lanes;
@@ -26,7 +26,7 @@ pub(super) struct PacketShadows<'a> {
 
 /// Visibilities of the lights of a grid from several points.
 #[derive(Default)]
-pub(super) struct KnownLights {
+pub struct KnownLights {
     /// Points from which each light's visibility is known, as bits; row by row.
     known: Vec<u32>,
     /// Visibility of each light.
@@ -77,7 +77,7 @@ impl Tracer<'_> {
         let mut share = Vectors::ZERO;
         if !is_small || light.emitter.is_parallel() || (lanes.count_ones() as usize) < MIN_RAYS {
             for i in set_lanes(lanes) {
-                let inside = self.context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
+                let inside = packet.interiors(self.context, i);
                 let center = arriving.lane(i);
                 share.set_lane(i, self.area_visibility((light, area), points.lane(i), &center, &inside, random[i]));
             }
@@ -167,7 +167,7 @@ impl Tracer<'_> {
         if missing != 0 {
             let (rays, distance) = shadow_rays(grid, cell);
             let (context, packet) = (self.context, grid.packet);
-            let inside = |i: usize| context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
+            let inside = |i: usize| packet.interiors(context, i);
             let missing_flags = Flags::from_bits(missing);
             let (visible, share) = self.visibility_along_rays(grid.light, (&rays, &distance), missing_flags, inside);
             let traced = Vectors::select(visible, share, Vectors::ZERO);

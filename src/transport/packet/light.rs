@@ -1,12 +1,12 @@
-//! Light that sources send to the plain surfaces of a packet's hits: the terms of [`super::direct_light`] side by side, each with
+//! Light that sources send to the plain surfaces of a packet's hits: the terms of [`super::super::direct_light`] side by side, each with
 //! the bits that it has alone.
 
-use super::area_packet::PacketShadows;
-use super::direct_light::{emitted_light, lobe_strength, metal_tint};
-use super::packet::Packet;
-use super::shading_point::ShadedLayer;
-use super::single_layer::SingleLayerPoint;
-use super::tracer::Tracer;
+use super::super::direct_light::{emitted_light, lobe_strength, metal_tint};
+use super::super::shading_point::ShadedLayer;
+use super::super::single_layer::SingleLayerPoint;
+use super::super::tracer::Tracer;
+use super::Packet;
+use super::area_light::PacketShadows;
 use crate::color::Rgb;
 use crate::light::LightSample;
 use crate::math::packet::{Flags, Numbers, PACKET, RayPacket, Vectors, set_lanes};
@@ -205,7 +205,7 @@ impl Tracer<'_> {
             return self.area_visibility_of_packet((light, area), points, arriving, faces, shadows);
         }
         let (context, packet) = (self.context, shadows.packet);
-        let inside = |i: usize| context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
+        let inside = |i: usize| packet.interiors(context, i);
         let shadow_rays = RayPacket { origin: *points, dir: arriving.to_light };
         self.visibility_along_rays(light, (&shadow_rays, &arriving.distance), faces, inside)
     }
@@ -292,7 +292,7 @@ fn powers(layer: &PacketLayer, visible: Flags, numbers: Numbers, exponent: fn(&L
 }
 
 /// Returns the shares of incident light that the points `visible` reflect as highlights, as
-/// [`super::direct_light::highlight_factor`] does.
+/// [`super::super::direct_light::highlight_factor`] does.
 #[inline(always)]
 fn highlights(layer: &PacketLayer, dir: &Vectors, arriving: &ArrivingLight, cos: Numbers, visible: Flags) -> Vectors {
     let (mut phong, mut specular, mut metallic) = (0, 0, 0);

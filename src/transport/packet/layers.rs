@@ -1,22 +1,23 @@
 //! Light of opaque surfaces with several layers, or with patterns that blend materials, at the hits of a packet's rays. The surfaces
 //! are evaluated one by one; the light that sources send to them is computed side by side, layer by layer.
 
-use super::direct_light::{LitSurface, emitted_light};
-use super::interface::Interface;
-use super::packet::{Packet, lanes_of_hits};
-use super::packet_light::{ArrivingLight, LitInPacket, PacketLayer};
-use super::radiance::Radiance;
-use super::shading_point::{ShadedLayer, ShadingPoint, texture_context};
-use super::single_layer::facing_normal;
-use super::tracer::Tracer;
+use super::super::direct_light::{LitSurface, emitted_light};
+use super::super::interface::Interface;
+use super::super::radiance::Radiance;
+use super::super::shading_point::{ShadedLayer, ShadingPoint, texture_context};
+use super::super::single_layer::facing_normal;
+use super::super::tracer::Tracer;
+use super::light::{ArrivingLight, LitInPacket, PacketLayer};
+use super::{Packet, lanes_of_hits};
 use crate::color::Rgb;
 use crate::math::packet::{Flags, Numbers, PACKET, Vectors, set_lanes};
 use crate::math::registers::wide_versions;
 use crate::math::{DVec3, Lanes, Ray};
 use crate::world::{ClosestHits, Intersection, PacketSurfaces, Shading, Surface, surfaces_of_packet};
+use smallvec::SmallVec;
 
 /// One layer at each of several points.
-pub(super) struct LitLayer<'w> {
+pub struct LitLayer<'w> {
     layer: PacketLayer<'w>,
     /// Transmittances of the layers above.
     weight: Vectors,
@@ -167,13 +168,11 @@ impl<'w> Tracer<'w> {
             && let Some(first_hit) = &hits[first]
         {
             let material = world.material_outside(first_hit);
-            let mut four = [(first, first_hit); 4];
             let is_same = |hit: &Intersection| std::ptr::eq(world.material_outside(hit), material);
             let same = set_lanes(left).filter_map(|i| Some((i, hits[i].as_ref().filter(|hit| is_same(hit))?)));
-            let mut n = 0;
-            for (place, found) in four.iter_mut().zip(same) {
-                (*place, n) = (found, n + 1);
-            }
+            let same: SmallVec<[_; 4]> = same.take(4).collect();
+            // Places that are left repeat the last hit.
+            let four = [0, 1, 2, 3].map(|n| same[n.min(same.len() - 1)]);
             let contexts = four.map(|(i, hit)| {
                 let (ray, surface) = (packet.rays.ray(i), surfaces.lane(i));
                 let placed = &world.parts[hit.part_number() as usize].outside;
@@ -181,7 +180,7 @@ impl<'w> Tracer<'w> {
             });
             let layer = &material.layers[0];
             let colors = layer.pigment.colors_at(&contexts);
-            for ((&(i, _), context), color) in four[..n].iter().zip(&contexts).zip(colors) {
+            for ((&(i, _), context), color) in same.iter().zip(&contexts).zip(colors) {
                 left &= !(1 << i);
                 let shaded = ShadedLayer::on_top(layer, color, context, world.opacity_by_color);
                 lit.add_single_layer(i, context.world, &shaded, self.context.has_ambient);

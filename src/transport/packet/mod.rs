@@ -1,8 +1,13 @@
 //! Camera rays that are traced in packets. Each has the radiance that [`Tracer::camera_radiance`] returns, to the last bit: the
-//! first hits are found side by side, and so are the light of plain surfaces (see [`super::packet_light`]) and what these reflect, and
-//! the light of opaque surfaces with several layers (see [`super::packet_layers`]); all else is computed ray by ray.
+//! first hits are found side by side, and so are the light of plain surfaces (see [`light`]) and what these reflect, and
+//! the light of opaque surfaces with several layers (see [`layers`]); all else is computed ray by ray.
 
-use super::packet_light::{LitPoints, PlainPoint};
+mod area_light;
+mod layers;
+mod light;
+
+use super::context::FrameContext;
+use super::interface::Interiors;
 use super::radiance::Radiance;
 use super::ray_state::RayState;
 use super::segment::Span;
@@ -13,7 +18,11 @@ use crate::color::{Rgb, gray};
 use crate::math::packet::{MIN_RAYS, Numbers, PACKET, RayPacket, Vectors, set_lanes};
 use crate::math::{Mask, Ray};
 use crate::world::{ClosestHits, Intersection, RayKind, Shading, Surface, surfaces_of_packet};
+use light::{LitPoints, PlainPoint};
 use smallvec::SmallVec;
+
+pub(super) use area_light::KnownLights;
+pub(super) use layers::LitLayer;
 
 /// Samples of the picture whose camera rays are traced side by side.
 #[derive(Clone, Copy, Debug)]
@@ -34,17 +43,17 @@ impl SamplePacket {
 }
 
 /// The camera rays of samples, or the rays to which as many reflections have turned them.
-pub(super) struct Packet<'a> {
-    pub samples: &'a SamplePacket,
-    pub rays: RayPacket,
+struct Packet<'a> {
+    samples: &'a SamplePacket,
+    rays: RayPacket,
     /// Rays that are still to be traced, as bits.
     active: u32,
     /// Importance of each ray, see [`RayState::weight`].
     weight: Numbers,
     /// Factor of each ray's radiance in its sample: red, green and blue.
-    pub throughput: Vectors,
+    throughput: Vectors,
     /// Number of reflections before.
-    pub vertex: u32,
+    vertex: u32,
 }
 
 /// A ray that a mirror reflects.
@@ -68,6 +77,11 @@ impl<'a> Packet<'a> {
     /// True if the rays were reflected.
     fn is_reflected(&self) -> bool {
         self.vertex > 0
+    }
+
+    /// Returns the interiors that contain the origin of a ray: those of its camera ray, which reflections do not change.
+    fn interiors(&self, context: &FrameContext, i: usize) -> Interiors {
+        context.interiors_of_camera_ray(self.samples.rays.origin.lane(i))
     }
 
     /// Factor of the transparency that the rays contribute to the alpha channel, see [`RayState::transparency`].
@@ -193,7 +207,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Adds the light of the air up to the hit of a packet's ray to the radiance of its sample, and attenuates the ray.
-    pub(super) fn cross_air(&mut self, packet: &mut Packet, i: usize, hit: &Intersection, radiance: &mut Radiance) {
+    fn cross_air(&mut self, packet: &mut Packet, i: usize, hit: &Intersection, radiance: &mut Radiance) {
         let air = self.segment(&self.state_of_ray(packet, i), &Span::from_origin(hit.t()), 0);
         let throughput = packet.throughput.lane(i);
         radiance.rgb += throughput * air.radiance;
@@ -215,7 +229,7 @@ impl<'w> Tracer<'w> {
 
     /// Returns the state of a packet's ray.
     fn state_of_ray(&self, packet: &Packet, i: usize) -> RayState {
-        let inside = self.context.interiors_of_camera_ray(packet.samples.rays.origin.lane(i));
+        let inside = packet.interiors(self.context, i);
         RayState {
             level: packet.vertex + 1,
             weight: packet.weight.0[i],
@@ -258,7 +272,7 @@ impl<'w> Tracer<'w> {
 
 /// Returns the rays whose hit has a property, as bits.
 #[inline(always)]
-pub(super) fn lanes_of_hits(hits: &ClosestHits, has_property: impl Fn(&Intersection) -> bool) -> u32 {
+fn lanes_of_hits(hits: &ClosestHits, has_property: impl Fn(&Intersection) -> bool) -> u32 {
     let mut lanes = 0;
     for (i, hit) in hits.iter().enumerate() {
         lanes |= u32::from(hit.as_ref().is_some_and(&has_property)) << i;
